@@ -1,0 +1,46 @@
+// Draws frames. The implementation lives in the module weir_render; nothing here needs OpenGL.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "frame/frame.h"
+#include "frame/image.h"
+#include "scene/scene.h"
+
+namespace weir {
+
+// One display or device that was tried, in order.
+struct DeviceTrial {
+  std::string name;
+  bool usable = false;
+  std::string detail;  // GL renderer and version, or the call that failed, its EGL error and a hint
+};
+
+class Renderer {
+ public:
+  virtual ~Renderer() = default;
+  Renderer() = default;
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  // Draws at the scene's size; `image` is resized when it does not fit. Must be called on the thread that made this.
+  virtual void draw(const Frame& frame, Image& image) = 0;
+  virtual const std::string& gl_renderer() const = 0;
+};
+
+// Which device draws: "auto", "software", or its number in the list of `list_devices`.
+struct DeviceChoice {
+  std::string device = "auto";
+};
+DeviceChoice device_choice(const std::string& requested);  // `requested`, else WEIR_GL_DEVICE, else auto
+
+// Loads the module. Throws DeviceError with every display and device tried.
+std::unique_ptr<Renderer> make_renderer(const Scene& scene, const StillLife& still_life, const DeviceChoice& choice);
+std::vector<DeviceTrial> list_devices();
+
+// The colour range that pictures of this scene use, in the unit of the quantity (fixed, or estimated from the scene).
+std::array<double, 2> color_range(const Scene& scene, const StillLife& still_life);
+
+}  // namespace weir

@@ -1,0 +1,33 @@
+// Rules between fields, and what a scene will cost. Knows nothing of YAML.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace weir {
+
+// One broken rule. `path` is the key as in a file: "fluid.volumes.1.box".
+struct Violation {
+  std::string path;
+  std::string message;
+};
+
+// Every rule that the scene breaks.
+std::vector<Violation> check(const Scene& scene);
+
+// What `weir check` prints about a scene that is right.
+struct Estimate {
+  std::int64_t fluid_particles = 0;
+  std::int64_t wall_particles = 0;
+  double memory = 0;  // bytes
+  double dt = 0;      // s, at the estimated top speed
+  std::int64_t steps = 0;
+  double mass = 0;        // kg as sampled
+  double mass_error = 0;  // sampled / exact - 1
+};
+Estimate estimate(const Scene& scene);
+
+}  // namespace weir

@@ -1,0 +1,25 @@
+// Volumes and walls -> particles on a lattice of the scene's spacing.
+#pragma once
+
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace weir {
+
+// In the order of the scene's volumes and walls; that order gives the particle ids.
+struct Sampling {
+  std::vector<Vec3> fluid_positions;   // m; the first lies dx/2 inside the faces
+  std::vector<Vec3> fluid_velocities;  // m/s, same length
+  std::vector<Vec3> wall_positions;    // m; the first layer lies dx/2 behind the faces, nearest first does not matter
+};
+Sampling sample(const Scene& scene);
+
+std::vector<Vec3> sample_volume(const Shape& shape, int dimension, double dx);
+// One wall alone, holes left out of it, before walls are merged.
+std::vector<Vec3> sample_wall(const Wall& wall, int dimension, double dx, int layers);
+
+// Smallest box around all that is given.
+Bounds bounds(const std::vector<Vec3>& points);
+
+}  // namespace weir

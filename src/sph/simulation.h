@@ -1,0 +1,54 @@
+// The face of the solver: one scene, stepped. The dimension is chosen at run time here and nowhere else.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "frame/diagnostics.h"
+#include "frame/frame.h"
+#include "scene/sampling.h"
+#include "scene/scene.h"
+
+namespace weir {
+
+// Wall time by stage, s.
+struct StageTimes {
+  double setup = 0;
+  double neighbours = 0;
+  double solve = 0;  // neighbours not included
+};
+
+class Simulation {
+ public:
+  virtual ~Simulation() = default;
+  Simulation() = default;
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  // Run time has reached the scene's duration.
+  virtual bool finished() const = 0;
+  // One time step; while paused, a jump to the next landing. Throws SimulationError when the state diverges.
+  virtual void step() = 0;
+
+  virtual double time() const = 0;            // run time, s
+  virtual double simulated_time() const = 0;  // s
+  virtual std::int64_t steps() const = 0;
+  // k if run time is exactly k / fps, else -1.
+  virtual std::int64_t frame_index() const = 0;
+
+  virtual std::int64_t fluid_particles() const = 0;
+  virtual std::int64_t wall_particles() const = 0;
+
+  virtual void fill(Frame& frame) const = 0;
+  virtual StillLife still_life() const = 0;
+  virtual Diagnostics diagnostics() const = 0;
+  virtual std::string state_hash()
+      const = 0;  // SHA-256 of position and velocity bits of all fluid particles in id order
+  virtual StageTimes stage_times() const = 0;
+};
+
+// `threads` as for thread_count(). The scene must be right (check() is empty).
+std::unique_ptr<Simulation> make_simulation(const Scene& scene, int threads);
+
+}  // namespace weir
