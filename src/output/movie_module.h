@@ -1,0 +1,20 @@
+// What the module weir_movie offers to its loader. Exceptions pass through.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "output/decode.h"
+#include "output/sink.h"
+
+extern "C" {
+void weir_open_movie(const std::filesystem::path& folder, const weir::Scene& scene, const weir::Provenance& provenance,
+                     std::unique_ptr<weir::MovieSink>& sink);
+void weir_list_encoders(std::vector<std::string>& names);
+void weir_decode_movie(const std::filesystem::path& file,
+                       const std::function<void(std::int64_t index, const weir::Image& image)>& each,
+                       weir::MovieFacts& facts);
+}
