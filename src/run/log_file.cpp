@@ -32,7 +32,7 @@ void LogFile::write(const Diagnostics& row) {
                           row.center_of_mass[0], row.center_of_mass[1], row.center_of_mass[2], row.simulated_time,
                           name_of(row.limit)));
   multiple_ = static_cast<std::int64_t>(std::floor(row.time / every_ + rounding)) + 1;
-  last_step_ = row.step;
+  last_time_ = row.time;
   max_density_error_ = std::max(max_density_error_, row.max_density_error);
 }
 

@@ -19,7 +19,7 @@ class LogFile {
   void write(const Diagnostics& row);
   void close() { file_.close(); }
 
-  std::int64_t last_step() const { return last_step_; }            // of the last row; -1 before the first
+  double last_time() const { return last_time_; }                  // s, of the last row; negative before the first
   double max_density_error() const { return max_density_error_; }  // over all rows
 
  private:
@@ -28,7 +28,7 @@ class LogFile {
   TextFile file_;
   double every_;
   std::int64_t multiple_ = 0;  // of the interval, that the next row is for
-  std::int64_t last_step_ = -1;
+  double last_time_ = -1;
   double max_density_error_ = 0;
 };
 

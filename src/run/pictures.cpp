@@ -45,7 +45,7 @@ bool Pictures::wants(std::int64_t frame) const {
   return scene_.output.movie || scene_.output.frames || std::binary_search(stills_.begin(), stills_.end(), frame);
 }
 
-void Pictures::add(const Simulation& simulation) {
+void Pictures::add(Simulation& simulation) {
   Frame frame = *free_frames_.pop();
   simulation.fill(frame);
   frames_.push(std::move(frame));

@@ -46,7 +46,7 @@ class Pictures {
 
   bool wants(std::int64_t frame) const;
   // Copies the simulation's frame and queues it; waits while all buffers are in use.
-  void add(const Simulation& simulation);
+  void add(Simulation& simulation);
   // A stage has failed: no picture will be added to what is there.
   bool failed() const { return failed_; }
   // Waits until everything is drawn and written. Throws the first error of any stage.

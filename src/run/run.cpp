@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/sha256.h"
 #include "core/threads.h"
 #include "run/instruction_set.h"
 #include "run/log_file.h"
@@ -13,7 +14,6 @@
 #include "run/run_folder.h"
 #include "run/stopwatch.h"
 #include "run/text_file.h"
-#include "run/text_hash.h"
 #include "scene/check.h"
 
 namespace weir {
@@ -196,8 +196,8 @@ void Session::report_progress() {
 RunResult Session::play() {
   attempt([this] { step_through(); });
   attempt([this] {
-    // The row of the last step, when the run ended early; a diverged state's numbers are part of its story.
-    if (log_->last_step() != simulation_->steps()) log_row();
+    // The row of the last step when the run ended early, unless its state means nothing any more.
+    if (exit_ != ExitCode::diverged && log_->last_time() != simulation_->time()) log_row();
     log_->close();
   });
   if (pictures_) attempt([this] { pictures_->finish(); });
