@@ -16,6 +16,14 @@ namespace weir {
 // 0.01 h^2 keeps the quotients of the viscosities finite when two particles meet. [Monaghan05; Morris97]
 constexpr double viscosity_softening = 0.01;
 
+// The consistent viscosities take the neighbour's volume with the pair's mean density instead of rho_j alone: the
+// forces of a pair are then opposite, and momentum is conserved to round-off; the difference is of second order. V_ij =
+// 2 m_j / (rho_i + rho_j), m^Dim. [Monaghan05 sec. 4, mean density]
+template <int Dim, class R>
+R pair_volume(const Pair<Dim, R>& pair) {
+  return R(2) * pair.m_j / (pair.rho_i + pair.rho_j);
+}
+
 struct Pressure {
   Real m;  // mass of a particle, kg
 
@@ -36,23 +44,29 @@ struct MorrisViscosity {
   Real two_nu;     // 2 nu, m^2/s
   Real softening;  // viscosity_softening h^2, m^2
 
-  // 2 nu V_j u_ij (x_ij . grad W_ij) / (r^2 + 0.01 h^2), m/s^2. [Ihmsen14 eq. 8; Morris97]
+  // 2 nu V_ij u_ij (x_ij . grad W_ij) / (r^2 + 0.01 h^2), m/s^2. [Ihmsen14 eq. 8; Morris97]
   template <int Dim, class R>
   Vec<Dim, R> acceleration(const Pair<Dim, R>& pair) const {
-    return (R(two_nu) * pair.volume_j * (pair.r2 * pair.dw_over_r) / (pair.r2 + R(softening))) * pair.v_ij;
+    return (R(two_nu) * pair_volume(pair) * (pair.r2 * pair.dw_over_r) / (pair.r2 + R(softening))) * pair.v_ij;
   }
 };
+
+// What Monaghan's form and the seed's share: (u_ij . x_ij) / (r^2 + softening) grad W_ij, s^-1 m^-Dim.
+// [Monaghan05 sec. 4, kernel]
+template <int Dim, class R>
+Vec<Dim, R> central_friction(const Pair<Dim, R>& pair, R softening) {
+  return (dot(pair.v_ij, pair.x_ij) / (pair.r2 + softening) * pair.dw_over_r) * pair.x_ij;
+}
 
 // Consistent from h = 2 dx on (96 % there, 66 % at h = dx); conserves linear and angular momentum.
 struct MonaghanViscosity {
   Real factor;     // 2 (Dim + 2) nu, m^2/s
   Real softening;  // viscosity_softening h^2, m^2
 
-  // 2 (Dim + 2) nu V_j (u_ij . x_ij) / (r^2 + 0.01 h^2) grad W_ij, m/s^2. [Monaghan05 sec. 4]
+  // 2 (Dim + 2) nu V_ij (u_ij . x_ij) / (r^2 + 0.01 h^2) grad W_ij, m/s^2. [Monaghan05 sec. 4]
   template <int Dim, class R>
   Vec<Dim, R> acceleration(const Pair<Dim, R>& pair) const {
-    return (R(factor) * pair.volume_j * dot(pair.v_ij, pair.x_ij) / (pair.r2 + R(softening)) * pair.dw_over_r) *
-           pair.x_ij;
+    return (R(factor) * pair_volume(pair)) * central_friction(pair, R(softening));
   }
 };
 
@@ -62,10 +76,10 @@ struct SeedAViscosity {
   Real two_nu;     // 2 nu, m^2/s
   Real softening;  // viscosity_softening h^2, m^2
 
-  // 2 nu V_j (u_ij . x_ij) / (r^2 + 0.01 h^2) grad W_ij, m/s^2. [Hinsch24 eq. 4.5]
+  // 2 nu m_j / rho_j (u_ij . x_ij) / (r^2 + 0.01 h^2) grad W_ij, m/s^2. [Hinsch24 eq. 4.5]
   template <int Dim, class R>
   Vec<Dim, R> acceleration(const Pair<Dim, R>& pair) const {
-    return MonaghanViscosity{two_nu, softening}.acceleration(pair);
+    return (R(two_nu) * pair.m_j / pair.rho_j) * central_friction(pair, R(softening));
   }
 };
 

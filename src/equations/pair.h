@@ -13,7 +13,9 @@ struct Pair {
   Vec<Dim, R> v_ij;  // m/s
   R r2;              // |x_ij|^2, m^2
   R dw_over_r;       // W'(r) / r: grad W_ij = dw_over_r x_ij, m^-(Dim + 2)
-  R volume_j;        // m_j / rho_j, m^Dim
+  R m_j;             // kg
+  R rho_i;           // kg/m^Dim
+  R rho_j;           // the rest density for a wall
   R pressure_i;      // p_i / rho_i^2, m^5/(kg s^2) in 3D
   R pressure_j;      // p_j / rho_j^2; unused with a mirroring wall
 };

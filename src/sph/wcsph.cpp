@@ -47,7 +47,7 @@ template <int Dim, class Kernel, class... Terms>
 struct AccelerationPass {
   const Kernel& kernel;
   Real m;
-  Real wall_volume;  // m / rho0
+  Real rest_density;
   Vec<Dim> gravity;
   FluidParticles<Dim>& particles;
   std::tuple<Terms...> terms;
@@ -59,7 +59,9 @@ struct AccelerationPass {
                          .v_ij = particles.velocity[i] - particles.velocity[j],
                          .r2 = r2,
                          .dw_over_r = kernel.derivative_over_r(square_root(r2)),
-                         .volume_j = m / particles.density[j],
+                         .m_j = m,
+                         .rho_i = particles.density[i],
+                         .rho_j = particles.density[j],
                          .pressure_i = particles.pressure[i],
                          .pressure_j = particles.pressure[j]};
     a += std::apply([&](const Terms&... term) { return fluid_acceleration(pair, term...); }, terms);
@@ -69,7 +71,9 @@ struct AccelerationPass {
                          .v_ij = particles.velocity[i],  // walls are at rest
                          .r2 = r2,
                          .dw_over_r = kernel.derivative_over_r(square_root(r2)),
-                         .volume_j = wall_volume,
+                         .m_j = m,
+                         .rho_i = particles.density[i],
+                         .rho_j = rest_density,
                          .pressure_i = particles.pressure[i],
                          .pressure_j = Real{0}};
     a += std::apply([&](const Terms&... term) { return wall_acceleration(pair, term...); }, terms);
@@ -212,13 +216,13 @@ void Wcsph<Dim>::compute_pressure() {
 template <int Dim>
 void Wcsph<Dim>::compute_accelerations() {
   const Pressure pressure{static_cast<Real>(mass_)};
-  const auto wall_volume = static_cast<Real>(mass_ / rest_density_);
   std::visit(
       [&](const auto& kernel, const auto& viscosity, const auto& tension) {
         using Pass = AccelerationPass<Dim, std::decay_t<decltype(kernel)>, Pressure, std::decay_t<decltype(viscosity)>,
                                       std::decay_t<decltype(tension)>>;
-        const Pass pass{kernel, static_cast<Real>(mass_),      wall_volume, convert<Real>(controls_.gravity),
-                        fluid_, {pressure, viscosity, tension}};
+        const Pass pass{
+            kernel, static_cast<Real>(mass_),      static_cast<Real>(rest_density_), convert<Real>(controls_.gravity),
+            fluid_, {pressure, viscosity, tension}};
         visit_pairs<Dim>(fluid_, walls_, neighbours_, threads_, pass);
       },
       kernel_, make_viscosity(viscosity_model_, wall_slip_, controls_.viscosity, h_, Dim),
