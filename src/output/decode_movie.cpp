@@ -1,6 +1,7 @@
 // Movies back to pictures, and the facts of the file.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <string>
@@ -38,10 +39,13 @@ bool index_comes_first(const std::filesystem::path& file) {
 
 std::string or_unknown(const char* name) { return name != nullptr ? name : "unknown"; }
 
-class Decoder {
+class LibavReader final : public MovieReader {
  public:
-  explicit Decoder(const std::filesystem::path& file)
-      : reading_("read " + file.string()), input_(open_input(file)), frame_(require(av_frame_alloc(), reading_)) {
+  explicit LibavReader(const std::filesystem::path& file)
+      : reading_("read " + file.string()),
+        input_(open_input(file)),
+        frame_(require(av_frame_alloc(), reading_)),
+        packet_(require(av_packet_alloc(), reading_)) {
     const AVCodec* codec = nullptr;
     stream_ =
         input_->streams[require(av_find_best_stream(input_.get(), AVMEDIA_TYPE_VIDEO, -1, -1, &codec, 0), reading_)];
@@ -49,27 +53,28 @@ class Decoder {
     require(avcodec_parameters_to_context(codec_.get(), stream_->codecpar), reading_);
     codec_->thread_count = 2;
     require(avcodec_open2(codec_.get(), codec, nullptr), reading_);
+    facts_.faststart = index_comes_first(file);
+    facts_.frame_rate = av_q2d(stream_->avg_frame_rate);
   }
 
-  // Calls take(frame, seconds) for every picture.
-  template <class Take>
-  void decode(const Take& take) {
-    const Packet packet(require(av_packet_alloc(), reading_));
+  bool next(Image* image) override {
     int code = 0;
-    while ((code = av_read_frame(input_.get(), packet.get())) >= 0) {
-      if (packet->stream_index == stream_->index) {
-        require(avcodec_send_packet(codec_.get(), packet.get()), reading_);
-        receive(take);
-      }
-      av_packet_unref(packet.get());
-    }
-    if (code != AVERROR_EOF) require(code, reading_);
-    require(avcodec_send_packet(codec_.get(), nullptr), reading_);
-    receive(take);
+    while ((code = avcodec_receive_frame(codec_.get(), frame_.get())) == AVERROR(EAGAIN)) feed();
+    said();  // the decoder talks of a movie that was cut off; what it cannot do it returns
+    if (code == AVERROR_EOF) return false;
+    require(code, reading_);
+    if (image != nullptr) convert(*image);
+    const double time = static_cast<double>(frame_->best_effort_timestamp) * av_q2d(stream_->time_base);
+    const double due = static_cast<double>(facts_.frames) / facts_.frame_rate;
+    if (facts_.frames == 0) facts_.first_time = time;
+    facts_.last_time = time;
+    facts_.max_time_error = std::max(facts_.max_time_error, std::abs(time - due));
+    ++facts_.frames;
+    return true;
   }
 
-  MovieFacts facts() const {
-    MovieFacts facts;
+  MovieFacts facts() const override {
+    MovieFacts facts = facts_;
     facts.width = codec_->width;
     facts.height = codec_->height;
     facts.codec = or_unknown(avcodec_get_name(codec_->codec_id));
@@ -79,68 +84,52 @@ class Decoder {
     facts.color_primaries = or_unknown(av_color_primaries_name(codec_->color_primaries));
     facts.color_transfer = or_unknown(av_color_transfer_name(codec_->color_trc));
     facts.color_range = or_unknown(av_color_range_name(codec_->color_range));
-    facts.frame_rate = av_q2d(stream_->avg_frame_rate);
     return facts;
   }
 
  private:
-  template <class Take>
-  void receive(const Take& take) {
-    for (;;) {
-      const int code = avcodec_receive_frame(codec_.get(), frame_.get());
-      if (code == AVERROR(EAGAIN) || code == AVERROR_EOF) return;
-      require(code, reading_);
-      take(*frame_, static_cast<double>(frame_->best_effort_timestamp) * av_q2d(stream_->time_base));
+  // The next packet of the stream goes in; at the end of the file, the decoder is told.
+  void feed() {
+    int code = 0;
+    while ((code = av_read_frame(input_.get(), packet_.get())) >= 0 && packet_->stream_index != stream_->index) {
+      av_packet_unref(packet_.get());
     }
+    if (code < 0 && code != AVERROR_EOF) require(code, reading_);
+    const int sent = avcodec_send_packet(codec_.get(), code < 0 ? nullptr : packet_.get());
+    av_packet_unref(packet_.get());
+    require(sent, reading_);
+  }
+
+  void convert(Image& image) {
+    if (image.width != frame_->width || image.height != frame_->height) {
+      image = {.width = frame_->width, .height = frame_->height, .rgba = {}};
+      image.rgba.resize(4 * static_cast<std::size_t>(image.width) * image.height);
+    }
+    if (!scaler_) {
+      const auto format = static_cast<AVPixelFormat>(frame_->format);
+      scaler_ = bt709_scaler(frame_->width, frame_->height, format, AV_PIX_FMT_RGBA);
+    }
+    std::uint8_t* rows = image.rgba.data();
+    const int stride = 4 * image.width;
+    require(sws_scale(scaler_.get(), frame_->data, frame_->linesize, 0, frame_->height, &rows, &stride),
+            "convert colours");
   }
 
   std::string reading_;
   Input input_;
   Frame frame_;
+  Packet packet_;
   Codec codec_;
+  Scaler scaler_;
   const AVStream* stream_ = nullptr;
+  MovieFacts facts_;
 };
-
-Image picture(const AVFrame& frame, Scaler& scaler) {
-  if (!scaler) {
-    scaler = bt709_scaler(frame.width, frame.height, static_cast<AVPixelFormat>(frame.format), AV_PIX_FMT_RGBA);
-  }
-  Image image{.width = frame.width, .height = frame.height, .rgba = {}};
-  image.rgba.resize(4 * static_cast<std::size_t>(frame.width) * frame.height);
-  std::uint8_t* rows = image.rgba.data();
-  const int stride = 4 * frame.width;
-  require(sws_scale(scaler.get(), frame.data, frame.linesize, 0, frame.height, &rows, &stride), "convert colours");
-  return image;
-}
 
 }  // namespace
 
 }  // namespace weir::av
 
-void weir_decode_movie(const std::filesystem::path& file,
-                       const std::function<void(std::int64_t index, const weir::Image& image)>& each,
-                       weir::MovieFacts& facts) {
-  using namespace weir::av;
-  keep_messages();
-  Decoder decoder(file);
-  weir::MovieFacts found;
-  std::vector<double> times;
-  Scaler scaler;
-  decoder.decode([&](const AVFrame& frame, double time) {
-    if (each) each(static_cast<std::int64_t>(times.size()), picture(frame, scaler));
-    times.push_back(time);
-  });
-  found = decoder.facts();
-  found.frames = static_cast<std::int64_t>(times.size());
-  found.faststart = index_comes_first(file);
-  if (!times.empty()) {
-    found.first_time = times.front();
-    found.last_time = times.back();
-  }
-  for (std::size_t k = 0; k < times.size(); ++k) {
-    const double error = std::abs(times[k] - static_cast<double>(k) / found.frame_rate);
-    found.max_time_error = std::max(found.max_time_error, error);
-  }
-  said();  // a movie that was cut off makes the decoder talk
-  facts = found;
+void weir_read_movie(const std::filesystem::path& file, std::unique_ptr<weir::MovieReader>& reader) {
+  weir::av::keep_messages();
+  reader = std::make_unique<weir::av::LibavReader>(file);
 }

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 
@@ -16,6 +17,8 @@ namespace {
 // Fixed, not taken from the machine: the bytes of a movie depend on the number of threads.
 constexpr int encoder_threads = 3;
 constexpr int lookahead_frames = 10;
+constexpr std::array<std::string_view, 10> x264_presets = {"ultrafast", "superfast", "veryfast", "faster",   "fast",
+                                                           "medium",    "slow",      "slower",   "veryslow", "placebo"};
 
 bool takes_yuv420p(const AVCodec& codec) {
   for (const AVPixelFormat* format = codec.pix_fmts; format != nullptr && *format != AV_PIX_FMT_NONE; ++format) {
@@ -47,15 +50,30 @@ void set(AVCodecContext& codec, const char* option, const std::string& value) {
           fmt::format("set {} of encoder {} to {}", option, codec.codec->name, value));
 }
 
-// For encoders that differ in what they know and that no test machine has: what is not known stays at its default.
+// Of libopenh264 and the hardware encoders, which differ in what they know and that no test machine has: what is not
+// known stays at its default.
 void ask(AVCodecContext& codec, const char* option, const std::string& value) {
   if (codec.priv_data != nullptr) av_opt_set(codec.priv_data, option, value.c_str(), 0);
 }
 
+// A preset chosen for one encoder must be known to it; one given with `auto` is meant for libx264, and so is ours.
+void set_other_preset(AVCodecContext& codec, const Movie& movie) {
+  if (movie.encoder == "auto" || movie.preset == Movie{}.preset) return;
+  if (codec.priv_data == nullptr || av_opt_set(codec.priv_data, "preset", movie.preset.c_str(), 0) < 0) {
+    throw OutputError(fmt::format("output.movie.preset: {} has no {}{}", codec.codec->name, movie.preset, said()));
+  }
+}
+
 void tune_x264(AVCodecContext& codec, const EncoderSettings& settings) {
+  // Asked first: x264 itself would complain on stderr.
+  if (std::ranges::find(x264_presets, settings.movie.preset) == x264_presets.end()) {
+    throw OutputError(fmt::format("output.movie.preset: libx264 has no {}; there are {}", settings.movie.preset,
+                                  fmt::join(x264_presets, ", ")));
+  }
   set(codec, "preset", settings.movie.preset);
   // 0 would mean lossless, which profile High cannot express.
-  set(codec, "crf", fmt::format("{}", std::max<double>(settings.movie.quality, 0.1)));
+  set(codec, "crf", fmt::format("{}", std::max(settings.movie.quality, 1)));
+  set(codec, "sc_threshold", "0");  // no key frames but those a second apart
   // The profile that a stream is marked with follows from the tools it may use, and the fastest presets leave out the
   // one that makes it High. `profile` alone only forbids tools, it never switches them on.
   set(codec, "profile", "high");
@@ -73,10 +91,11 @@ void tune_mpeg4(AVCodecContext& codec, const EncoderSettings& settings) {
   const int quantiser = static_cast<int>(std::lround(std::exp2((settings.movie.quality - 4) / 6.0) / 2));
   codec.flags |= AV_CODEC_FLAG_QSCALE;
   codec.global_quality = FF_QP2LAMBDA * std::clamp(quantiser, 1, 31);
-  codec.thread_count = 1;  // its threads are slices, which change the bytes
+  set(codec, "sc_threshold", "1000000000");  // no key frames but those a second apart
+  codec.thread_count = 1;                    // its threads are slices, which change the bytes
 }
 
-void tune_other(AVCodecContext& codec, const EncoderSettings& settings) {
+void tune_unseen(AVCodecContext& codec, const EncoderSettings& settings) {
   const int quality = std::clamp(settings.movie.quality, 1, 51);
   codec.qmin = codec.qmax = quality;
   ask(codec, "rc", "constqp");
@@ -105,15 +124,13 @@ Codec open_named(const std::string& name, const EncoderSettings& settings) {
   context->color_trc = AVCOL_TRC_BT709;
   context->color_range = AVCOL_RANGE_MPEG;
   context->chroma_sample_location = AVCHROMA_LOC_LEFT;
-  context->flags |= AV_CODEC_FLAG_GLOBAL_HEADER | AV_CODEC_FLAG_BITEXACT | AV_CODEC_FLAG_CLOSED_GOP;
+  context->flags |= AV_CODEC_FLAG_GLOBAL_HEADER | AV_CODEC_FLAG_BITEXACT;
   context->strict_std_compliance = FF_COMPLIANCE_NORMAL;
-  require(av_opt_set(context.get(), "sc_threshold", "0", AV_OPT_SEARCH_CHILDREN), "keep key frames a second apart");
   if (name == "libx264") {
     tune_x264(*context, settings);
-  } else if (name == "mpeg4") {
-    tune_mpeg4(*context, settings);
   } else {
-    tune_other(*context, settings);
+    set_other_preset(*context, settings.movie);
+    name == "mpeg4" ? tune_mpeg4(*context, settings) : tune_unseen(*context, settings);
   }
   require(avcodec_open2(context.get(), codec, nullptr), "open encoder " + name);
   said();  // warnings of what went well must not show up in a later error

@@ -31,10 +31,25 @@ MovieText text_of(const Scene& scene, const Provenance& provenance) {
           .comment = fmt::format("weir {}, scene SHA-256 {}", provenance.version, provenance.scene_sha256)};
 }
 
+// A movie has no transparency: what is seen through lies before plain white or, in the dark theme, black.
+const Image& before_background(const Image& image, int background, Image& opaque) {
+  opaque = image;
+  for (std::size_t i = 0; i < opaque.rgba.size(); i += 4) {
+    const int alpha = image.rgba[i + 3];
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      const int mixed = image.rgba[i + channel] * alpha + background * (255 - alpha);
+      opaque.rgba[i + channel] = static_cast<std::uint8_t>((mixed + 127) / 255);
+    }
+  }
+  return opaque;
+}
+
 class LibavSink final : public MovieSink {
  public:
   LibavSink(const std::filesystem::path& folder, const Scene& scene, const Provenance& provenance)
       : movie_(folder / (scene.name + ".mp4")),
+        transparent_(scene.render.transparent),
+        background_(scene.render.theme == Theme::light ? 255 : 0),
         encoder_(open_encoder(settings_of(scene))),
         name_(encoder_->codec->name),
         part_(std::make_unique<PartMovie>(part_file(folder, scene), *encoder_, text_of(scene, provenance))),
@@ -65,8 +80,9 @@ class LibavSink final : public MovieSink {
                                     image.height, movie_.string(), encoder_->width, encoder_->height));
     }
     require(av_frame_make_writable(frame_.get()), "hold a picture");
-    const std::uint8_t* rows = image.rgba.data();
-    const int stride = 4 * image.width;
+    const Image& seen = transparent_ ? before_background(image, background_, opaque_) : image;
+    const std::uint8_t* rows = seen.rgba.data();
+    const int stride = 4 * seen.width;
     require(sws_scale(scaler_.get(), &rows, &stride, 0, image.height, frame_->data, frame_->linesize),
             "convert colours");
     frame_->pts = next_++;
@@ -105,6 +121,9 @@ class LibavSink final : public MovieSink {
   }
 
   std::filesystem::path movie_;
+  bool transparent_;
+  int background_;
+  Image opaque_;
   Codec encoder_;
   std::string name_;
   std::unique_ptr<PartMovie> part_;  // null once closed

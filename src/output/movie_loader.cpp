@@ -34,11 +34,20 @@ std::vector<std::string> list_encoders() {
   return names;
 }
 
+std::unique_ptr<MovieReader> make_movie_reader(const std::filesystem::path& file) {
+  std::unique_ptr<MovieReader> reader;
+  movie_function<decltype(weir_read_movie)>("weir_read_movie")(file, reader);
+  return reader;
+}
+
 MovieFacts decode_movie(const std::filesystem::path& file,
                         const std::function<void(std::int64_t index, const Image& image)>& each) {
-  MovieFacts facts;
-  movie_function<decltype(weir_decode_movie)>("weir_decode_movie")(file, each, facts);
-  return facts;
+  const std::unique_ptr<MovieReader> reader = make_movie_reader(file);
+  Image image;
+  for (std::int64_t index = 0; reader->next(each ? &image : nullptr); ++index) {
+    if (each) each(index, image);
+  }
+  return reader->facts();
 }
 
 }  // namespace weir

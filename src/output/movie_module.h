@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,7 +13,5 @@ extern "C" {
 void weir_open_movie(const std::filesystem::path& folder, const weir::Scene& scene, const weir::Provenance& provenance,
                      std::unique_ptr<weir::MovieSink>& sink);
 void weir_list_encoders(std::vector<std::string>& names);
-void weir_decode_movie(const std::filesystem::path& file,
-                       const std::function<void(std::int64_t index, const weir::Image& image)>& each,
-                       weir::MovieFacts& facts);
+void weir_read_movie(const std::filesystem::path& file, std::unique_ptr<weir::MovieReader>& reader);
 }

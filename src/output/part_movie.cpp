@@ -50,14 +50,13 @@ PartMovie::PartMovie(std::filesystem::path file, const AVCodecContext& encoder, 
 }
 
 void PartMovie::add(AVPacket& packet) {
-  // A fragment is written whole, here, and not by libav when the next one begins: a picture less to lose.
-  const std::int64_t in_second = packets_ % fps_;
-  if (packets_ > 0 && (in_second == 0 || in_second == fragment_frames(fps_))) end_fragment();
   packet.duration = 1;  // in the encoder's base; the last picture of a fragment has no successor to tell it
   packet.stream_index = 0;
   av_packet_rescale_ts(&packet, time_base_, format_->streams[0]->time_base);
   require(av_write_frame(format_.get(), &packet), "write " + file_.path().string());
-  ++packets_;
+  // Ended here and not by libav, which waits for the next key frame: a kill finds less unwritten.
+  const std::int64_t in_second = ++packets_ % fps_;
+  if (in_second == 0 || in_second == fragment_frames(fps_)) end_fragment();
 }
 
 void PartMovie::close() {

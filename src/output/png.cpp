@@ -91,9 +91,10 @@ void write_png(const std::filesystem::path& file, const Image& image, bool alpha
     throw OutputError(fmt::format("cannot write {}: no memory for a PNG of {} x {} pixels", file.string(), image.width,
                                   image.height));
   }
-  png.insert(header_end, text_chunk("Software", fmt::format("weir {}", provenance.version)) +
-                             text_chunk("Scene-SHA-256", provenance.scene_sha256) +
-                             text_chunk("Time", fmt::format("{} s", time)));
+  std::string texts = text_chunk("Software", fmt::format("weir {}", provenance.version));
+  if (!provenance.scene_sha256.empty()) texts += text_chunk("Scene-SHA-256", provenance.scene_sha256);
+  texts += text_chunk("Time", fmt::format("{} s", time));
+  png.insert(header_end, texts);
   write_file(file, png);
 }
 
