@@ -1,4 +1,4 @@
-#include "pipeline/log_file.h"
+#include "run/log_file.h"
 
 #include <gtest/gtest.h>
 

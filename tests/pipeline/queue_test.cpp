@@ -1,4 +1,4 @@
-#include "pipeline/queue.h"
+#include "run/queue.h"
 
 #include <gtest/gtest.h>
 

@@ -7,11 +7,11 @@
 
 #include "core/sha256.h"
 #include "pipeline/fakes.h"
-#include "pipeline/run.h"
-#include "pipeline/run_folder.h"
+#include "run/run.h"
+#include "run/run_folder.h"
 #include "pipeline/small_scene.h"
 #include "pipeline/temporary_folder.h"
-#include "pipeline/text_file.h"
+#include "run/text_file.h"
 #include "scene/reader.h"
 
 namespace weir {

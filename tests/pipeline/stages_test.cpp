@@ -7,10 +7,10 @@
 #include <numeric>
 
 #include "pipeline/fakes.h"
-#include "pipeline/run.h"
+#include "run/run.h"
 #include "pipeline/small_scene.h"
 #include "pipeline/temporary_folder.h"
-#include "pipeline/text_file.h"
+#include "run/text_file.h"
 
 namespace weir {
 
