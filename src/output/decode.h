@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "frame/image.h"
@@ -29,6 +30,20 @@ struct MovieFacts {
   double max_time_error = 0;  // s, largest |time of frame k - k / frame_rate|
   bool faststart = false;     // moov before mdat
 };
+// Frame after frame, so that two movies can be held side by side without keeping either.
+class MovieReader {
+ public:
+  MovieReader() = default;
+  virtual ~MovieReader() = default;
+  MovieReader(const MovieReader&) = delete;
+  MovieReader& operator=(const MovieReader&) = delete;
+
+  // False at the end. Without an image the frame is only counted. Throws OutputError.
+  virtual bool next(Image* image) = 0;
+  virtual MovieFacts facts() const = 0;  // frames and times are those of the frames so far
+};
+std::unique_ptr<MovieReader> make_movie_reader(const std::filesystem::path& file);  // throws OutputError
+
 // Decodes every frame; `each` may be empty. Throws OutputError.
 MovieFacts decode_movie(const std::filesystem::path& file,
                         const std::function<void(std::int64_t index, const Image& image)>& each);

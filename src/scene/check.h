@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,11 +13,16 @@ namespace weir {
 // One broken rule. `path` is the key as in a file: "fluid.volumes.1.box".
 struct Violation {
   std::string path;
-  std::string message;
+  std::string message;  // follows the path: "overlaps fluid.volumes.0"
 };
 
 // Every rule that the scene breaks.
 std::vector<Violation> check(const Scene& scene);
+
+// The same for a scene of which some keys could not be read: rules that look at these are left out. `unread` says
+// whether the key of that path, or one in it or around it, is such a key.
+using Unread = std::function<bool(const std::string& path)>;
+std::vector<Violation> check(const Scene& scene, const Unread& unread);
 
 // What `weir check` prints about a scene that is right.
 struct Estimate {

@@ -19,6 +19,12 @@ std::vector<Vec3> sample_volume(const Shape& shape, int dimension, double dx);
 // One wall alone, holes left out of it, before walls are merged.
 std::vector<Vec3> sample_wall(const Wall& wall, int dimension, double dx, int layers);
 
+// Where walls meet, a particle nearer than this part of dx to one already there is left out. It must stay below 0.75,
+// the least spacing within one wall (a face of 1.5 dx has two particles); the larger it is, the wider the gap, up to
+// 1 + this, where two walls meet off each other's lattice; the smaller, the denser the walls lie there, and dense walls
+// push too hard.
+inline constexpr double wall_merge_distance = 0.7;
+
 // Smallest box around all that is given.
 Bounds bounds(const std::vector<Vec3>& points);
 

@@ -1,0 +1,79 @@
+#include "output/av.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdarg>
+#include <mutex>
+#include <utility>
+
+#include "core/error.h"
+
+namespace weir::av {
+
+namespace {
+
+std::mutex messages_mutex;  // encoders speak from their own threads
+std::string messages;
+
+void keep(void* source, int level, const char* format, va_list arguments) {
+  if (level > AV_LOG_ERROR) return;
+  std::array<char, 1024> line{};
+  int at_start = 1;
+  av_log_format_line2(source, level, format, arguments, line.data(), line.size(), &at_start);
+  std::string text = line.data();
+  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
+  const std::lock_guard lock(messages_mutex);
+  if (text.empty() || messages.size() > 2000) return;  // a broken file can say the same thing thousands of times
+  messages += (messages.empty() ? "" : "; ") + text;
+}
+
+}  // namespace
+
+void keep_messages() {
+  static const bool once = (av_log_set_callback(keep), true);
+  static_cast<void>(once);
+}
+
+std::string said() {
+  const std::lock_guard lock(messages_mutex);
+  const std::string text = std::exchange(messages, {});
+  return text.empty() ? text : fmt::format(" ({})", text);
+}
+
+std::string text_of(int error) {
+  std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};
+  av_strerror(error, text.data(), text.size());
+  return text.data();
+}
+
+int require(int code, const std::string& doing) {
+  if (code < 0) throw OutputError(fmt::format("cannot {}: {}{}", doing, text_of(code), said()));
+  return code;
+}
+
+std::string url_of(const std::filesystem::path& file) { return "file:" + file.string(); }
+
+Input open_input(const std::filesystem::path& file) {
+  const std::string doing = "read " + file.string();
+  AVFormatContext* format = nullptr;
+  require(avformat_open_input(&format, url_of(file).c_str(), nullptr, nullptr), doing);
+  Input input(format);
+  require(avformat_find_stream_info(format, nullptr), doing);
+  return input;
+}
+
+Scaler bt709_scaler(int width, int height, AVPixelFormat from, AVPixelFormat to) {
+  // Accurate rounding and chroma at full horizontal resolution: without them a flat colour is off by several steps.
+  constexpr int quality = SWS_BILINEAR | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INP | SWS_FULL_CHR_H_INT | SWS_BITEXACT;
+  Scaler scaler(require(sws_getContext(width, height, from, width, height, to, quality, nullptr, nullptr, nullptr),
+                        "convert colours"));
+  const bool to_rgb = to == AV_PIX_FMT_RGB0 || to == AV_PIX_FMT_RGBA;
+  const int* bt709 = sws_getCoefficients(SWS_CS_ITU709);
+  constexpr int unity = 1 << 16;
+  require(sws_setColorspaceDetails(scaler.get(), bt709, to_rgb ? 0 : 1, bt709, to_rgb ? 1 : 0, 0, unity, unity),
+          "convert colours by BT.709");
+  return scaler;
+}
+
+}  // namespace weir::av

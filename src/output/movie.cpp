@@ -1,0 +1,150 @@
+// The movie sink: pictures to YUV, to packets, to the part file, at the end to the movie. Entered by weir_open_movie.
+#include <fmt/format.h>
+
+#include <array>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "core/error.h"
+#include "output/encoder.h"
+#include "output/movie_module.h"
+#include "output/part_movie.h"
+
+namespace weir::av {
+
+namespace {
+
+std::filesystem::path part_file(const std::filesystem::path& folder, const Scene& scene) {
+  return folder / (scene.name + ".part.mp4");
+}
+
+EncoderSettings settings_of(const Scene& scene) {
+  return {.width = scene.render.size[0],
+          .height = scene.render.size[1],
+          .fps = scene.render.fps,
+          .movie = scene.output.movie.value_or(Movie{})};
+}
+
+MovieText text_of(const Scene& scene, const Provenance& provenance) {
+  return {.title = scene.title,
+          .comment = fmt::format("weir {}, scene SHA-256 {}", provenance.version, provenance.scene_sha256)};
+}
+
+// A movie has no transparency: what is seen through lies before plain white or, in the dark theme, black.
+const Image& before_background(const Image& image, int background, Image& opaque) {
+  opaque = image;
+  for (std::size_t i = 0; i < opaque.rgba.size(); i += 4) {
+    const int alpha = image.rgba[i + 3];
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      const int mixed = image.rgba[i + channel] * alpha + background * (255 - alpha);
+      opaque.rgba[i + channel] = static_cast<std::uint8_t>((mixed + 127) / 255);
+    }
+  }
+  return opaque;
+}
+
+class LibavSink final : public MovieSink {
+ public:
+  LibavSink(const std::filesystem::path& folder, const Scene& scene, const Provenance& provenance)
+      : movie_(folder / (scene.name + ".mp4")),
+        transparent_(scene.render.transparent),
+        background_(scene.render.theme == Theme::light ? 255 : 0),
+        encoder_(open_encoder(settings_of(scene))),
+        name_(encoder_->codec->name),
+        part_(std::make_unique<PartMovie>(part_file(folder, scene), *encoder_, text_of(scene, provenance))),
+        part_path_(part_file(folder, scene)),
+        scaler_(bt709_scaler(encoder_->width, encoder_->height, AV_PIX_FMT_RGB0, AV_PIX_FMT_YUV420P)),
+        frame_(require(av_frame_alloc(), "hold a picture")),
+        packet_(require(av_packet_alloc(), "hold a packet")) {
+    frame_->width = encoder_->width;
+    frame_->height = encoder_->height;
+    frame_->format = encoder_->pix_fmt;
+    require(av_frame_get_buffer(frame_.get(), 0), "hold a picture");
+  }
+
+  ~LibavSink() override {
+    try {
+      if (part_ && !part_->broken()) close_part();
+    } catch (const OutputError&) {
+      // What was written before stays readable, and whoever dropped the sink is telling of something worse.
+      part_.reset();
+    }
+  }
+  LibavSink(const LibavSink&) = delete;
+  LibavSink& operator=(const LibavSink&) = delete;
+
+  void write(const Image& image) override {
+    if (image.width != encoder_->width || image.height != encoder_->height) {
+      throw OutputError(fmt::format("cannot put a picture of {} x {} pixels into {}, which is {} x {}", image.width,
+                                    image.height, movie_.string(), encoder_->width, encoder_->height));
+    }
+    require(av_frame_make_writable(frame_.get()), "hold a picture");
+    const Image& seen = transparent_ ? before_background(image, background_, opaque_) : image;
+    const std::uint8_t* rows = seen.rgba.data();
+    const int stride = 4 * seen.width;
+    require(sws_scale(scaler_.get(), &rows, &stride, 0, image.height, frame_->data, frame_->linesize),
+            "convert colours");
+    frame_->pts = next_++;
+    encode(frame_.get());
+  }
+
+  void finish() override {
+    close_part();
+    if (next_ == 0) return;
+    remux_faststart(part_path_, movie_);
+    std::error_code ignored;  // a part file too many does no harm
+    std::filesystem::remove(part_path_, ignored);
+  }
+
+  const std::string& encoder() const override { return name_; }
+
+ private:
+  // No picture: drains the encoder.
+  void encode(const AVFrame* picture) {
+    const std::string doing = "encode " + movie_.string();
+    require(avcodec_send_frame(encoder_.get(), picture), doing);
+    for (;;) {
+      const int code = avcodec_receive_packet(encoder_.get(), packet_.get());
+      if (code == AVERROR(EAGAIN) || code == AVERROR_EOF) return;
+      require(code, doing);
+      part_->add(*packet_);
+    }
+  }
+
+  void close_part() {
+    if (next_ > 0) encode(nullptr);
+    part_->close();
+    part_.reset();
+    std::error_code ignored;
+    if (next_ == 0) std::filesystem::remove(part_path_, ignored);
+  }
+
+  std::filesystem::path movie_;
+  bool transparent_;
+  int background_;
+  Image opaque_;
+  Codec encoder_;
+  std::string name_;
+  std::unique_ptr<PartMovie> part_;  // null once closed
+  std::filesystem::path part_path_;
+  Scaler scaler_;
+  Frame frame_;
+  Packet packet_;
+  std::int64_t next_ = 0;  // number of the next picture
+};
+
+}  // namespace
+
+}  // namespace weir::av
+
+void weir_open_movie(const std::filesystem::path& folder, const weir::Scene& scene, const weir::Provenance& provenance,
+                     std::unique_ptr<weir::MovieSink>& sink) {
+  weir::av::keep_messages();
+  sink = std::make_unique<weir::av::LibavSink>(folder, scene, provenance);
+}
+
+void weir_list_encoders(std::vector<std::string>& names) {
+  weir::av::keep_messages();
+  names = weir::av::usable_encoders();
+}

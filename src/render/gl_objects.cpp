@@ -1,0 +1,79 @@
+#include "render/gl_objects.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace weir {
+
+namespace {
+
+template <class Create>
+GLuint created(Create create) {
+  GLuint id = 0;
+  create(1, &id);
+  return id;
+}
+
+void compile(GLuint program, GLenum stage, const std::string& source, const std::string& defines) {
+  const std::size_t line_end = source.find('\n') + 1;  // the first line is #version, and nothing may stand before it
+  const std::string text = source.substr(0, line_end) + defines + "#line 2\n" + source.substr(line_end);
+  const char* pointer = text.c_str();
+  const GLuint shader = glCreateShader(stage);
+  glShaderSource(shader, 1, &pointer, nullptr);
+  glCompileShader(shader);
+  GLint ok = 0;
+  glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
+  if (ok == 0) {
+    std::string log(4096, '\0');
+    GLsizei length = 0;
+    glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), &length, log.data());
+    log.resize(length);
+    glDeleteShader(shader);
+    throw std::runtime_error(fmt::format("a shader does not compile on this driver:\n{}", log));
+  }
+  glAttachShader(program, shader);
+  glDeleteShader(shader);  // lives on while it is attached
+}
+
+}  // namespace
+
+GLuint BufferTraits::create() { return created(glCreateBuffers); }
+void BufferTraits::destroy(GLuint id) { glDeleteBuffers(1, &id); }
+GLuint VertexArrayTraits::create() { return created(glCreateVertexArrays); }
+void VertexArrayTraits::destroy(GLuint id) { glDeleteVertexArrays(1, &id); }
+GLuint FramebufferTraits::create() { return created(glCreateFramebuffers); }
+void FramebufferTraits::destroy(GLuint id) { glDeleteFramebuffers(1, &id); }
+GLuint RenderbufferTraits::create() { return created(glCreateRenderbuffers); }
+void RenderbufferTraits::destroy(GLuint id) { glDeleteRenderbuffers(1, &id); }
+GLuint ProgramTraits::create() { return glCreateProgram(); }
+void ProgramTraits::destroy(GLuint id) { glDeleteProgram(id); }
+
+GlProgram build_program(const std::string& vertex_source, const std::string& fragment_source,
+                        const std::string& defines) {
+  GlProgram program;
+  compile(program.id(), GL_VERTEX_SHADER, vertex_source, defines);
+  compile(program.id(), GL_FRAGMENT_SHADER, fragment_source, defines);
+  glLinkProgram(program.id());
+  GLint ok = 0;
+  glGetProgramiv(program.id(), GL_LINK_STATUS, &ok);
+  if (ok == 0) {
+    std::string log(4096, '\0');
+    GLsizei length = 0;
+    glGetProgramInfoLog(program.id(), static_cast<GLsizei>(log.size()), &length, log.data());
+    log.resize(length);
+    throw std::runtime_error(fmt::format("the shaders do not link on this driver:\n{}", log));
+  }
+  return program;
+}
+
+RenderTarget::RenderTarget(int width, int height) {
+  glNamedRenderbufferStorage(color_.id(), GL_RGBA8, width, height);
+  glNamedFramebufferRenderbuffer(framebuffer_.id(), GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_.id());
+  const GLenum status = glCheckNamedFramebufferStatus(framebuffer_.id(), GL_DRAW_FRAMEBUFFER);
+  if (status != GL_FRAMEBUFFER_COMPLETE)
+    throw std::runtime_error(fmt::format(
+        "the driver cannot draw a picture of {} x {} pixels (framebuffer status 0x{:04x})", width, height, status));
+}
+
+}  // namespace weir

@@ -1,0 +1,71 @@
+// OpenGL objects that delete themselves; the context in which they were made must then be current.
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <string>
+#include <utility>
+
+namespace weir {
+
+template <class Traits>
+class GlObject {
+ public:
+  GlObject() : id_(Traits::create()) {}
+  explicit GlObject(GLuint id) : id_(id) {}
+  GlObject(GlObject&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
+  GlObject& operator=(GlObject&& other) noexcept {
+    std::swap(id_, other.id_);
+    return *this;
+  }
+  ~GlObject() {
+    if (id_ != 0) Traits::destroy(id_);
+  }
+  GLuint id() const { return id_; }
+
+ private:
+  GLuint id_;
+};
+
+struct BufferTraits {
+  static GLuint create();
+  static void destroy(GLuint id);
+};
+struct VertexArrayTraits {
+  static GLuint create();
+  static void destroy(GLuint id);
+};
+struct FramebufferTraits {
+  static GLuint create();
+  static void destroy(GLuint id);
+};
+struct RenderbufferTraits {
+  static GLuint create();
+  static void destroy(GLuint id);
+};
+struct ProgramTraits {
+  static GLuint create();
+  static void destroy(GLuint id);
+};
+using GlBuffer = GlObject<BufferTraits>;
+using GlVertexArray = GlObject<VertexArrayTraits>;
+using GlFramebuffer = GlObject<FramebufferTraits>;
+using GlRenderbuffer = GlObject<RenderbufferTraits>;
+using GlProgram = GlObject<ProgramTraits>;
+
+// `defines` stand behind the #version line of both stages. Throws std::runtime_error with the compiler's log.
+GlProgram build_program(const std::string& vertex_source, const std::string& fragment_source,
+                        const std::string& defines);
+
+// A picture to draw into: 8 bits a channel, no depth.
+class RenderTarget {
+ public:
+  RenderTarget(int width, int height);
+  GLuint framebuffer() const { return framebuffer_.id(); }
+
+ private:
+  GlFramebuffer framebuffer_;
+  GlRenderbuffer color_;
+};
+
+}  // namespace weir

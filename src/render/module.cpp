@@ -1,0 +1,12 @@
+// What the module exports; renderer.cpp is the other end.
+#include <vector>
+
+#include "render/egl_context.h"
+#include "render/gl_renderer.h"
+
+extern "C" weir::Renderer* weir_make_renderer(const weir::Scene& scene, const weir::StillLife& still_life,
+                                              const weir::DeviceChoice& choice) {
+  return new weir::GlRenderer(scene, still_life, choice);
+}
+
+extern "C" void weir_list_devices(std::vector<weir::DeviceTrial>& devices) { devices = weir::EglContext::try_all(); }

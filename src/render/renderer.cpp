@@ -1,0 +1,44 @@
+#include "render/renderer.h"
+
+#include <cstdlib>
+#include <stdexcept>
+
+#include "core/error.h"
+#include "core/module.h"
+
+namespace weir {
+
+namespace {
+
+// A module that cannot be loaded (a library of the system is missing) means that nothing can be drawn.
+template <class Function>
+Function* render_function(const char* symbol) {
+  try {
+    return module_function<Function>("weir_render", symbol);
+  } catch (const std::runtime_error& error) {
+    throw DeviceError(std::string("no usable OpenGL: ") + error.what());
+  }
+}
+
+}  // namespace
+
+DeviceChoice device_choice(const std::string& requested) {
+  if (!requested.empty()) return {requested};
+  // Read at start-up, before any thread could change the environment.
+  if (const char* from_environment = std::getenv("WEIR_GL_DEVICE"))  // NOLINT(concurrency-mt-unsafe)
+    if (*from_environment != '\0') return {from_environment};
+  return {};
+}
+
+std::unique_ptr<Renderer> make_renderer(const Scene& scene, const StillLife& still_life, const DeviceChoice& choice) {
+  using Make = Renderer*(const Scene&, const StillLife&, const DeviceChoice&);
+  return std::unique_ptr<Renderer>(render_function<Make>("weir_make_renderer")(scene, still_life, choice));
+}
+
+std::vector<DeviceTrial> list_devices() {
+  std::vector<DeviceTrial> devices;
+  render_function<void(std::vector<DeviceTrial>&)>("weir_list_devices")(devices);
+  return devices;
+}
+
+}  // namespace weir

@@ -1,0 +1,391 @@
+// The field table: how each field of scene.h is called in a file, its unit, range and meaning; defaults are those of
+// the structs. Reader, writer, schema and reference are visitors over this one table and so cannot disagree.
+//
+// A visitor has
+//   field(key, value, spec)            a leaf: number, word, vector, list of those
+//   group(key, meaning, describer)     a map of fixed keys
+//   list(key, values, meaning)         a list of maps, each described by describe()
+//   one_of(variant, more, Named...)    exactly one of several keys, each a map; `more` adds keys to that map
+//   one_field_of(variant, Leaf...)     at most one of several leaves; the first is the default
+//   forms(key, variant, meaning, ...)  a value that is a Word, or a Map of one kind or another
+//   by_dimension(variant, Map...)      keys that depend on the dimension, beside the others
+//   toggle(key, optional, meaning)     true, false or a map
+//   version(key, number)               the format version
+//   not_built(key, empty, meaning)     a reserved key, of which only the empty form is accepted
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace weir {
+
+inline constexpr int format_version = 1;
+
+struct Range {
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+  bool above = false;  // `min` itself is not allowed
+};
+inline constexpr Range positive{0, std::numeric_limits<double>::infinity(), true};
+inline constexpr Range not_negative{0, std::numeric_limits<double>::infinity(), false};
+
+struct Spec {
+  std::string_view meaning;
+  std::string_view unit = "";
+  Range range = {};
+  bool required = false;
+  int multiple = 1;  // whole numbers: of what
+  int least = 0;     // lists: elements at least
+};
+
+// One of several keys, holding a map that describes a T; `dimension` 0: any.
+template <class T>
+struct Named {
+  std::string_view key;
+  std::string_view meaning;
+  int dimension = 0;
+};
+// One of several keys, holding a number.
+template <class T>
+struct Leaf {
+  std::string_view key;
+  double T::*member;
+  Spec spec;
+};
+// One of several forms of a value.
+template <class T>
+struct Word {
+  std::string_view word;
+};
+template <class T>
+struct Map {
+  int dimension = 0;
+};
+
+// A rotation: a number in 2D, a vector in 3D.
+struct Spin {
+  Vec3& value;
+};
+// A number, or a word that stands for one.
+template <class T>
+struct OrWord {
+  T& value;
+  T stands_for;
+  std::string_view word;
+};
+// Two increasing numbers, or `auto`.
+struct AutoRange {
+  std::optional<std::array<double, 2>>& value;
+};
+
+enum class EmptyForm { list, off, none };  // [], false, not even that
+
+inline Vec3 default_gravity(int dimension) { return dimension == 3 ? Vec3(0, 0, -9.81) : Vec3(0, -9.81, 0); }
+
+// ---- shapes -------------------------------------------------------------------------------------------------------
+
+template <class V>
+void describe(V& v, Box& box) {
+  v.field("min", box.min, Spec{.meaning = "lower corner", .unit = "m", .required = true});
+  v.field("max", box.max, Spec{.meaning = "upper corner", .unit = "m", .required = true});
+}
+
+template <class V>
+void describe(V& v, Ball& ball) {
+  v.field("center", ball.center, Spec{.meaning = "centre", .unit = "m", .required = true});
+  v.field("radius", ball.radius, Spec{.meaning = "radius", .unit = "m", .range = positive, .required = true});
+}
+
+template <class V>
+void describe(V& v, Polygon& polygon) {
+  v.field("points", polygon.points,
+          Spec{.meaning = "corners in order, in either sense", .unit = "m", .required = true, .least = 3});
+}
+
+template <class V, class More>
+void describe_shape(V& v, Shape& shape, More more) {
+  v.one_of(shape, more, Named<Box>{"box", "a box along the axes"}, Named<Ball>{"disc", "a disc (2D)", 2},
+           Named<Ball>{"ball", "a ball (3D)", 3}, Named<Polygon>{"polygon", "a simple polygon (2D)", 2});
+}
+
+template <class V>
+void describe(V& v, Shape& shape) {
+  describe_shape(v, shape, [](auto&) {});
+}
+
+// ---- fluid --------------------------------------------------------------------------------------------------------
+
+template <class V>
+void describe(V& v, Volume& volume) {
+  describe_shape(v, volume.shape, [](auto&) {});
+  v.field("velocity", volume.velocity, Spec{.meaning = "velocity at the start", .unit = "m/s"});
+  v.field("angular_velocity", Spin{volume.angular_velocity},
+          Spec{.meaning = "rotation about the shape's centre at the start, added to the velocity; a number in 2D, a "
+                          "vector in 3D",
+               .unit = "rad/s"});
+}
+
+template <class V>
+void describe(V& v, Viscosity& viscosity) {
+  v.field("model", viscosity.model,
+          Spec{.meaning = "form of the viscous term; seed_a is the printed form, kept for comparison"});
+  v.field("kinematic", viscosity.kinematic,
+          Spec{.meaning = "kinematic viscosity", .unit = "m^2/s", .range = not_negative});
+}
+
+template <class V>
+void describe(V& v, SurfaceTension& tension) {
+  v.field("model", tension.model, Spec{.meaning = "form of the cohesion between fluid particles"});
+  v.field(
+      "coefficient", tension.coefficient,
+      Spec{.meaning = "strength of the cohesion; d is the dimension", .unit = "m^(d+2)/s^2", .range = not_negative});
+}
+
+template <class V>
+void describe(V& v, Fluid& fluid) {
+  v.field("rest_density", fluid.rest_density,
+          Spec{.meaning = "density at zero pressure", .unit = "kg/m^3", .range = positive});
+  v.group("viscosity", "viscous force", [&](auto& sub) { describe(sub, fluid.viscosity); });
+  v.group("surface_tension", "surface tension", [&](auto& sub) { describe(sub, fluid.surface_tension); });
+  v.list("volumes", fluid.volumes, Spec{.meaning = "where the fluid is at the start", .required = true, .least = 1});
+}
+
+// ---- walls --------------------------------------------------------------------------------------------------------
+
+template <class V>
+void describe(V& v, Tank& tank) {
+  v.field("min", tank.min, Spec{.meaning = "lower corner of the inside", .unit = "m", .required = true});
+  v.field("max", tank.max, Spec{.meaning = "upper corner of the inside", .unit = "m", .required = true});
+  v.field("open", tank.open, Spec{.meaning = "sides left out"});
+}
+
+template <class V>
+void describe(V& v, Block& block) {
+  v.field("min", block.min, Spec{.meaning = "lower corner", .unit = "m", .required = true});
+  v.field("max", block.max, Spec{.meaning = "upper corner", .unit = "m", .required = true});
+}
+
+template <class V>
+void describe(V& v, Polyline& line) {
+  v.field(
+      "points", line.points,
+      Spec{
+          .meaning = "corners in order; the fluid touches the line itself", .unit = "m", .required = true, .least = 2});
+  v.field("closed", line.closed, Spec{.meaning = "whether the last point joins the first"});
+  v.field("solid", line.solid, Spec{.meaning = "the side of the line on which the wall is, seen along it"});
+}
+
+template <class V>
+void describe(V& v, Round& round) {
+  v.field("center", round.center, Spec{.meaning = "centre", .unit = "m", .required = true});
+  v.field("radius", round.radius, Spec{.meaning = "radius", .unit = "m", .range = positive, .required = true});
+  v.field("solid", round.solid, Spec{.meaning = "inside: an obstacle; outside: a container"});
+}
+
+template <class V>
+void describe(V& v, Wall& wall) {
+  const auto common = [&](auto& sub) {
+    sub.field(
+        "layers", OrWord<int>{wall.layers, 0, "auto"},
+        Spec{.meaning = "layers of wall particles; auto: as many as fill the kernel's support", .range = {1, 100}});
+    sub.list("holes", wall.holes, Spec{.meaning = "shapes, as in fluid.volumes, where this wall is left out"});
+    sub.not_built("motion", EmptyForm::none, "moving walls");
+  };
+  v.one_of(wall.shape, common, Named<Tank>{"tank", "a container: layers grow outwards from its faces"},
+           Named<Block>{"box", "a solid box: layers grow inwards from its faces"},
+           Named<Polyline>{"polyline", "a line of straight pieces (2D): layers grow to one side", 2},
+           Named<Round>{"disc", "a disc, solid or hollow (2D)", 2},
+           Named<Round>{"ball", "a ball, solid or hollow (3D)", 3});
+  v.not_built("plane", EmptyForm::none, "a wall without particles");
+}
+
+// ---- solver -------------------------------------------------------------------------------------------------------
+
+template <class V>
+void describe(V& v, Kernel& kernel) {
+  v.field("name", kernel.name, Spec{.meaning = "smoothing kernel; its support is 2 h"});
+  v.field("smoothing", kernel.smoothing,
+          Spec{.meaning = "smoothing length over particle spacing, h / dx", .unit = "1", .range = {0.5, 4}});
+}
+
+template <class V>
+void describe(V& v, AdaptiveStep& step) {
+  constexpr Range factor{0, 10, true};
+  v.field("cfl", step.cfl, Spec{.meaning = "dt <= cfl h / v_max", .unit = "1", .range = factor});
+  v.field("acoustic", step.acoustic,
+          Spec{.meaning = "dt <= acoustic h / (c0 + v_max), c0 the sound speed", .unit = "1", .range = factor});
+  v.field("force", step.force,
+          Spec{.meaning = "dt <= force sqrt(h / a_max), a_max the largest acceleration", .unit = "1", .range = factor});
+  v.field("viscous", step.viscous,
+          Spec{.meaning = "dt <= viscous h^2 / nu, nu the kinematic viscosity", .unit = "1", .range = factor});
+  v.field("maximum", OrWord<double>{step.maximum, 0, "none"},
+          Spec{.meaning = "dt is never longer than this", .unit = "s", .range = positive});
+}
+
+template <class V>
+void describe(V& v, FixedStep& step) {
+  v.field("fixed", step.dt,
+          Spec{.meaning = "time step, in place of the limits; shortened evenly to land on frame times",
+               .unit = "s",
+               .range = positive,
+               .required = true});
+}
+
+template <class V>
+void describe(V& v, Solver& solver) {
+  v.field("method", solver.method, Spec{.meaning = "pressure solver"});
+  v.group("kernel", "smoothing kernel", [&](auto& sub) { describe(sub, solver.kernel); });
+  v.one_field_of(
+      solver.compressibility,
+      Leaf<Stiffness>{
+          "stiffness", &Stiffness::k,
+          Spec{.meaning = "k of p = k ((rho / rest_density)^exponent - 1)", .unit = "Pa", .range = positive}},
+      Leaf<SoundSpeed>{"sound_speed", &SoundSpeed::c0,
+                       Spec{.meaning = "in place of stiffness: k = rest_density sound_speed^2 / exponent",
+                            .unit = "m/s",
+                            .range = positive}});
+  v.field("exponent", solver.exponent,
+          Spec{.meaning = "of the state equation; 7 is Tait's, 1 the linear one", .unit = "1", .range = {1, 7}});
+  v.field("negative_pressure", solver.negative_pressure,
+          Spec{.meaning = "clamp: tension becomes zero pressure, as a free surface needs"});
+  v.field("wall_slip", solver.wall_slip, Spec{.meaning = "whether walls exert viscous force: no_slip they do"});
+  v.field("neighbour_search", solver.neighbour_search,
+          Spec{.meaning = "how neighbours are found; naive compares all pairs"});
+  v.forms("time_step", solver.time_step, "limits of an adaptive time step, or {fixed: dt}", Map<AdaptiveStep>{},
+          Map<FixedStep>{});
+}
+
+// ---- timeline -----------------------------------------------------------------------------------------------------
+
+template <class V>
+void describe(V& v, Settings& set) {
+  v.field("gravity", set.gravity, Spec{.meaning = "gravity from then on", .unit = "m/s^2"});
+  v.field("fluid.viscosity.kinematic", set.viscosity,
+          Spec{.meaning = "kinematic viscosity from then on", .unit = "m^2/s", .range = not_negative});
+  v.field("fluid.surface_tension.coefficient", set.surface_tension,
+          Spec{.meaning = "strength of the cohesion from then on", .unit = "m^(d+2)/s^2", .range = not_negative});
+  v.field("solver.stiffness", set.stiffness,
+          Spec{.meaning = "stiffness from then on", .unit = "Pa", .range = positive});
+  v.field("solver.sound_speed", set.sound_speed,
+          Spec{.meaning = "sound speed from then on", .unit = "m/s", .range = positive});
+}
+
+template <class V>
+void describe(V& v, TimelineEvent& event) {
+  v.field("at", event.at, Spec{.meaning = "when, in run time", .unit = "s", .range = not_negative, .required = true});
+  v.field(
+      "over", event.over,
+      Spec{.meaning = "length of the linear ramp to the new settings; 0: at once", .unit = "s", .range = not_negative});
+  v.group("set", "settings that change", [&](auto& sub) { describe(sub, event.set); });
+  v.field("reset", event.reset, Spec{.meaning = "particles return to where they began; settings stay"});
+  v.field("pause", event.pause, Spec{.meaning = "true: the movie holds; false: it goes on"});
+}
+
+// ---- camera and pictures ------------------------------------------------------------------------------------------
+
+template <class V>
+void describe(V& v, View2D& view) {
+  v.field("center", view.center, Spec{.meaning = "middle of the picture (2D)", .unit = "m", .required = true});
+  v.field("width", view.width,
+          Spec{.meaning = "what is visible across the picture (2D)", .unit = "m", .range = positive, .required = true});
+}
+
+template <class V>
+void describe(V& v, View3D& view) {
+  v.field("eye", view.eye, Spec{.meaning = "where the camera is (3D)", .unit = "m", .required = true});
+  v.field("target", view.target, Spec{.meaning = "what it looks at (3D)", .unit = "m", .required = true});
+  v.field("field_of_view", view.field_of_view,
+          Spec{.meaning = "vertical opening angle (3D)", .unit = "degrees", .range = {1, 170}});
+}
+
+template <class V>
+void describe(V& v, CameraKeyframe& keyframe) {
+  v.field("at", keyframe.at,
+          Spec{.meaning = "when, in run time", .unit = "s", .range = not_negative, .required = true});
+  v.by_dimension(keyframe.view, Map<View2D>{2}, Map<View3D>{3});
+}
+
+template <class V>
+void describe(V& v, Camera& camera) {
+  v.forms("view", camera.view, "auto: all fluid and walls, fitted once; or a fixed view", Word<AutoView>{"auto"},
+          Map<View2D>{2}, Map<View3D>{3});
+  v.list("keyframes", camera.keyframes,
+         Spec{.meaning = "views over time, in place of `view`; smooth in between, still before and after"});
+}
+
+template <class V>
+void describe(V& v, Coloring& color) {
+  v.field("by", color.by, Spec{.meaning = "quantity that colours the fluid"});
+  v.field("map", color.map, Spec{.meaning = "colour map"});
+  v.field("range", AutoRange{color.range},
+          Spec{.meaning = "ends of the colour map, in the quantity's unit (m/s, kg/m^3, Pa); auto: estimated from the "
+                          "scene, never changed"});
+}
+
+template <class V>
+void describe(V& v, Render& render) {
+  v.field("size", render.size,
+          Spec{.meaning = "width and height of pictures, even", .unit = "pixels", .range = {16, 16384}, .multiple = 2});
+  v.field("fps", render.fps, Spec{.meaning = "pictures per second of run time", .unit = "1/s", .range = {1, 1000}});
+  v.group("color", "colours of the fluid", [&](auto& sub) { describe(sub, render.color); });
+  v.field("overlay", render.overlay, Spec{.meaning = "what is drawn over the picture"});
+  v.field("theme", render.theme, Spec{.meaning = "background and text"});
+  v.field("transparent", render.transparent, Spec{.meaning = "PNG files without background; movies keep theirs"});
+  v.field("walls", render.walls, Spec{.meaning = "whether walls are drawn"});
+}
+
+// ---- output -------------------------------------------------------------------------------------------------------
+
+template <class V>
+void describe(V& v, Movie& movie) {
+  v.field("encoder", movie.encoder,
+          Spec{.meaning = "H.264 encoder by its libav name; auto: libx264, else what is there"});
+  v.field("quality", movie.quality,
+          Spec{.meaning = "constant rate factor; 0 is lossless, more is smaller", .unit = "1", .range = {0, 51}});
+  v.field("preset", movie.preset, Spec{.meaning = "speed preset of the encoder"});
+}
+
+template <class V>
+void describe(V& v, Output& output) {
+  v.toggle("movie", output.movie, "<name>.mp4: true, false or how it is encoded");
+  v.field("frames", output.frames, Spec{.meaning = "every frame as a PNG file"});
+  v.field("stills", output.stills,
+          Spec{.meaning = "frame times that are written as PNG files", .unit = "s", .range = not_negative});
+  v.group("log", "log.csv", [&](auto& sub) {
+    sub.field("every", output.log.every, Spec{.meaning = "time between rows", .unit = "s", .range = positive});
+  });
+  v.not_built("particles", EmptyForm::off, "particle files");
+  v.not_built("checkpoint", EmptyForm::off, "checkpoints");
+}
+
+template <class V>
+void describe(V& v, Scene& scene) {
+  v.version("weir", format_version);
+  v.field("title", scene.title, Spec{.meaning = "shown in the picture's corner"});
+  v.field("dimension", scene.dimension,
+          Spec{.meaning = "2 or 3; a vector has that many numbers", .range = {2, 3}, .required = true});
+  v.field("duration", scene.duration, Spec{.meaning = "run time", .unit = "s", .range = positive, .required = true});
+  v.field("gravity", scene.gravity,
+          Spec{.meaning = "acceleration of everything; by default downwards, -y in 2D and -z in 3D", .unit = "m/s^2"});
+  v.group("particles", "resolution", [&](auto& sub) {
+    sub.field("spacing", scene.particle_spacing,
+              Spec{.meaning = "distance dx of particles at rest", .unit = "m", .range = positive, .required = true});
+  });
+  v.group("fluid", "the fluid", [&](auto& sub) { describe(sub, scene.fluid); });
+  v.list("walls", scene.walls, Spec{.meaning = "what the fluid cannot cross"});
+  v.not_built("periodic", EmptyForm::list, "periodic boundaries");
+  v.not_built("bodies", EmptyForm::list, "rigid bodies");
+  v.group("solver", "the method", [&](auto& sub) { describe(sub, scene.solver); });
+  v.list("timeline", scene.timeline, Spec{.meaning = "what changes during the run"});
+  v.group("camera", "what is seen", [&](auto& sub) { describe(sub, scene.camera); });
+  v.group("render", "how pictures look", [&](auto& sub) { describe(sub, scene.render); });
+  v.not_built("probes", EmptyForm::list, "probes");
+  v.group("output", "what is written", [&](auto& sub) { describe(sub, scene.output); });
+}
+
+}  // namespace weir

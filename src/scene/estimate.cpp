@@ -1,0 +1,48 @@
+#include <algorithm>
+#include <cmath>
+
+#include "scene/check.h"
+#include "scene/geometry.h"
+#include "scene/memory.h"
+#include "scene/sampling.h"
+
+namespace weir {
+
+namespace {
+
+// The time step at the estimated top speed; the force limit takes the accelerations that can be known beforehand.
+double time_step(const Scene& scene) {
+  if (const auto* fixed = std::get_if<FixedStep>(&scene.solver.time_step)) return fixed->dt;
+  const AdaptiveStep& step = std::get<AdaptiveStep>(scene.solver.time_step);
+  const double h = smoothing_length(scene);
+  const double speed = max_speed_estimate(scene);
+  double dt = step.acoustic * h / (sound_speed(scene) + speed);
+  if (speed > 0) dt = std::min(dt, step.cfl * h / speed);
+  const double g = glm::length(scene.gravity);
+  if (g > 0) dt = std::min(dt, step.force * std::sqrt(h / g));
+  const double nu = scene.fluid.viscosity.kinematic;
+  if (scene.fluid.viscosity.model != ViscosityModel::none && nu > 0) dt = std::min(dt, step.viscous * h * h / nu);
+  if (step.maximum > 0) dt = std::min(dt, step.maximum);
+  return dt;
+}
+
+}  // namespace
+
+Estimate estimate(const Scene& scene) {
+  const Sampling sampling = sample(scene);
+  Estimate result;
+  result.fluid_particles = static_cast<std::int64_t>(sampling.fluid_positions.size());
+  result.wall_particles = static_cast<std::int64_t>(sampling.wall_positions.size());
+  result.memory = bytes_per_particle(scene) * static_cast<double>(result.fluid_particles + result.wall_particles);
+  result.dt = time_step(scene);
+  // Every frame time is landed on, so that each frame takes a whole number of steps.
+  const double frame = 1.0 / scene.render.fps;
+  result.steps = static_cast<std::int64_t>(std::ceil(frame / result.dt) * std::ceil(scene.duration / frame - 1e-9));
+  result.mass = particle_mass(scene) * static_cast<double>(result.fluid_particles);
+  double exact = 0;
+  for (const Volume& volume : scene.fluid.volumes) exact += measure(volume.shape, scene.dimension);
+  result.mass_error = result.mass / (exact * scene.fluid.rest_density) - 1;
+  return result;
+}
+
+}  // namespace weir

@@ -1,0 +1,22 @@
+// Plane and box geometry of the scene's shapes.
+#pragma once
+
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace weir {
+
+// Even-odd rule; points on the outline may go either way, but of two polygons that share an edge only one has them.
+bool inside_polygon(const std::vector<Vec3>& polygon, const Vec3& point);
+double signed_area(const std::vector<Vec3>& polygon);  // positive: counterclockwise
+Vec3 centroid(const std::vector<Vec3>& polygon);       // of its area
+double distance_to_segment(const Vec3& point, const Vec3& a, const Vec3& b);
+bool segments_cross(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);  // touching counts
+
+bool inside(const Shape& shape, const Vec3& point, int dimension);
+Vec3 shape_center(const Shape& shape);
+double measure(const Shape& shape, int dimension);  // m^2 or m^3
+Bounds shape_bounds(const Shape& shape, int dimension);
+
+}  // namespace weir

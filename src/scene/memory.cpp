@@ -1,0 +1,80 @@
+#include "scene/memory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "scene/geometry.h"
+
+namespace weir {
+
+namespace {
+
+double length_of(const Polyline& line) {
+  double length = 0;
+  for (std::size_t i = 0; i + 1 < line.points.size(); ++i) length += glm::length(line.points[i + 1] - line.points[i]);
+  if (line.closed && !line.points.empty()) length += glm::length(line.points.front() - line.points.back());
+  return length;
+}
+
+double box_content(const Vec3& size, int dimension) {
+  double product = 1;
+  for (int axis = 0; axis < dimension; ++axis) product *= std::max(size[axis], 0.0);
+  return product;
+}
+
+// Area or volume that the layers of a wall fill; holes and open sides are not taken off.
+double content(const Tank& tank, int dimension, double thick) {
+  return box_content(tank.max - tank.min + 2 * thick, dimension) - box_content(tank.max - tank.min, dimension);
+}
+double content(const Block& block, int dimension, double thick) {
+  return box_content(block.max - block.min, dimension) - box_content(block.max - block.min - 2 * thick, dimension);
+}
+double content(const Polyline& line, int, double thick) { return length_of(line) * thick; }
+double content(const Round& round, int dimension, double thick) {
+  const double inner = round.solid == Face::inside ? std::max(round.radius - thick, 0.0) : round.radius;
+  const double outer = round.solid == Face::inside ? round.radius : round.radius + thick;
+  return measure(Ball{round.center, outer}, dimension) - measure(Ball{round.center, inner}, dimension);
+}
+
+}  // namespace
+
+double bytes_per_particle(const Scene& scene) {
+  const double reach = 2 * scene.solver.kernel.smoothing;
+  const double neighbours =
+      scene.dimension == 2 ? std::numbers::pi * reach * reach : 4.0 / 3.0 * std::numbers::pi * reach * reach * reach;
+  constexpr double state = 350;           // positions, velocities, sums, keys, sorted copies, frames
+  constexpr double index = sizeof(int);   // of one neighbour
+  return state + 2 * index * neighbours;  // the list grows by doubling
+}
+
+double expected_fluid_particles(const Scene& scene) {
+  double sum = 0;
+  for (const Volume& volume : scene.fluid.volumes) sum += std::max(measure(volume.shape, scene.dimension), 0.0);
+  return sum / std::pow(scene.particle_spacing, scene.dimension);
+}
+
+double expected_wall_particles(const Scene& scene) {
+  double sum = 0;
+  for (const Wall& wall : scene.walls) {
+    const double thick = wall_layers(scene, wall) * scene.particle_spacing;
+    sum += std::visit([&](const auto& each) { return content(each, scene.dimension, thick); }, wall.shape);
+  }
+  return sum / std::pow(scene.particle_spacing, scene.dimension);
+}
+
+double available_memory() {
+  std::ifstream file("/proc/meminfo");
+  std::string name;
+  while (file >> name) {
+    double kibibytes = 0;
+    if (name == "MemAvailable:" && file >> kibibytes) return 1024 * kibibytes;
+    std::getline(file, name);
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+}  // namespace weir

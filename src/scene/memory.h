@@ -1,0 +1,19 @@
+// How many particles a scene will have, before any is made, and what they cost.
+#pragma once
+
+#include "scene/scene.h"
+
+namespace weir {
+
+// Bytes for each particle while a run lasts: state, sorted copies, the neighbour list of a full support (about 30
+// neighbours in 2D, 120 in 3D at h = dx) and one frame in each of the queues to the pictures.
+double bytes_per_particle(const Scene& scene);
+
+// From areas and volumes alone; infinite or not a number for absurd sizes.
+double expected_fluid_particles(const Scene& scene);
+double expected_wall_particles(const Scene& scene);
+
+// What this machine can give to a process without swapping, bytes; infinity if it does not say.
+double available_memory();
+
+}  // namespace weir

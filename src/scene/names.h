@@ -1,0 +1,125 @@
+// How every choice is called in a file. Choices that the format reserves but the program lacks are listed too, so that
+// they are refused by name.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "scene/scene.h"
+
+namespace weir {
+
+template <class E>
+struct Name {
+  E value;
+  std::string_view text;
+};
+template <std::size_t N>
+using Later = std::array<std::string_view, N>;
+
+// Names<E>::built and Names<E>::later for every enumeration of the scene.
+template <class E>
+struct Names;
+
+template <>
+struct Names<ViscosityModel> {
+  static constexpr std::array<Name<ViscosityModel>, 4> built{{{ViscosityModel::none, "none"},
+                                                              {ViscosityModel::morris, "morris"},
+                                                              {ViscosityModel::monaghan, "monaghan"},
+                                                              {ViscosityModel::seed_a, "seed_a"}}};
+  static constexpr Later<2> later{"artificial", "seed_b"};
+};
+template <>
+struct Names<SurfaceTensionModel> {
+  static constexpr std::array<Name<SurfaceTensionModel>, 2> built{
+      {{SurfaceTensionModel::none, "none"}, {SurfaceTensionModel::seed_a, "seed_a"}}};
+  static constexpr Later<0> later{};
+};
+template <>
+struct Names<Side> {
+  static constexpr std::array<Name<Side>, 6> built{{{Side::left, "left"},
+                                                    {Side::right, "right"},
+                                                    {Side::bottom, "bottom"},
+                                                    {Side::top, "top"},
+                                                    {Side::front, "front"},
+                                                    {Side::back, "back"}}};
+  static constexpr Later<0> later{};
+};
+template <>
+struct Names<Flank> {
+  static constexpr std::array<Name<Flank>, 2> built{{{Flank::left, "left"}, {Flank::right, "right"}}};
+  static constexpr Later<0> later{};
+};
+template <>
+struct Names<Face> {
+  static constexpr std::array<Name<Face>, 2> built{{{Face::inside, "inside"}, {Face::outside, "outside"}}};
+  static constexpr Later<0> later{};
+};
+template <>
+struct Names<Method> {
+  static constexpr std::array<Name<Method>, 1> built{{{Method::wcsph, "wcsph"}}};
+  static constexpr Later<3> later{"iisph", "dfsph", "pcisph"};
+};
+template <>
+struct Names<KernelName> {
+  static constexpr std::array<Name<KernelName>, 2> built{
+      {{KernelName::cubic_spline, "cubic_spline"}, {KernelName::wendland_c2, "wendland_c2"}}};
+  static constexpr Later<0> later{};
+};
+template <>
+struct Names<NegativePressure> {
+  static constexpr std::array<Name<NegativePressure>, 2> built{
+      {{NegativePressure::clamp, "clamp"}, {NegativePressure::keep, "keep"}}};
+  static constexpr Later<0> later{};
+};
+template <>
+struct Names<WallSlip> {
+  static constexpr std::array<Name<WallSlip>, 2> built{
+      {{WallSlip::no_slip, "no_slip"}, {WallSlip::free_slip, "free_slip"}}};
+  static constexpr Later<0> later{};
+};
+template <>
+struct Names<NeighbourSearch> {
+  static constexpr std::array<Name<NeighbourSearch>, 2> built{
+      {{NeighbourSearch::index_sort, "index_sort"}, {NeighbourSearch::naive, "naive"}}};
+  static constexpr Later<0> later{};
+};
+template <>
+struct Names<ColorBy> {
+  static constexpr std::array<Name<ColorBy>, 3> built{
+      {{ColorBy::speed, "speed"}, {ColorBy::density, "density"}, {ColorBy::pressure, "pressure"}}};
+  static constexpr Later<0> later{};
+};
+template <>
+struct Names<ColormapName> {
+  static constexpr std::array<Name<ColormapName>, 5> built{{{ColormapName::viridis, "viridis"},
+                                                            {ColormapName::cividis, "cividis"},
+                                                            {ColormapName::magma, "magma"},
+                                                            {ColormapName::turbo, "turbo"},
+                                                            {ColormapName::coolwarm, "coolwarm"}}};
+  static constexpr Later<0> later{};
+};
+template <>
+struct Names<OverlayItem> {
+  static constexpr std::array<Name<OverlayItem>, 5> built{{{OverlayItem::title, "title"},
+                                                           {OverlayItem::time, "time"},
+                                                           {OverlayItem::colorbar, "colorbar"},
+                                                           {OverlayItem::scalebar, "scalebar"},
+                                                           {OverlayItem::cfl, "cfl"}}};
+  static constexpr Later<0> later{};
+};
+template <>
+struct Names<Theme> {
+  static constexpr std::array<Name<Theme>, 2> built{{{Theme::light, "light"}, {Theme::dark, "dark"}}};
+  static constexpr Later<0> later{};
+};
+
+template <class E>
+constexpr std::string_view name_of(E value) {
+  for (const Name<E>& name : Names<E>::built) {
+    if (name.value == value) return name.text;
+  }
+  return "?";
+}
+
+}  // namespace weir

@@ -1,0 +1,114 @@
+#include "scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "scene/geometry.h"
+
+namespace weir {
+
+namespace {
+
+Bounds extent(const Tank& tank) { return {tank.min, tank.max}; }
+Bounds extent(const Block& block) { return {block.min, block.max}; }
+Bounds extent(const Polyline& line) { return shape_bounds(Polygon{line.points}, 2); }
+Bounds extent(const Round& round) { return {round.center - round.radius, round.center + round.radius}; }
+
+// Least and largest coordinate of a box along a direction.
+struct Span {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+};
+void cover(Span& span, const Bounds& box, const Vec3& direction) {
+  double low = 0;
+  double high = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    low += std::min(direction[axis] * box.min[axis], direction[axis] * box.max[axis]);
+    high += std::max(direction[axis] * box.min[axis], direction[axis] * box.max[axis]);
+  }
+  span.low = std::min(span.low, low);
+  span.high = std::max(span.high, high);
+}
+
+// v^2 gained by falling, from the highest fluid to the lowest wall, or for the whole run where nothing is below.
+double fall(const Scene& scene, const Vec3& gravity, double first_speed) {
+  const double g = glm::length(gravity);
+  if (g == 0) return 0;
+  Span fluid;
+  Span walls;
+  for (const Volume& volume : scene.fluid.volumes)
+    cover(fluid, shape_bounds(volume.shape, scene.dimension), gravity / g);
+  for (const Wall& wall : scene.walls) {
+    cover(walls, std::visit([](const auto& each) { return extent(each); }, wall.shape), gravity / g);
+  }
+  const double free_speed = first_speed + g * scene.duration;
+  const double free = free_speed * free_speed - first_speed * first_speed;
+  const double height = std::max(walls.high, fluid.high) - fluid.low;
+  const bool floor = walls.high >= fluid.high;
+  return floor && height > 0 ? std::min(free, 2 * g * height) : free;
+}
+
+double initial_speed(const Scene& scene) {
+  double speed = 0;
+  for (const Volume& volume : scene.fluid.volumes) {
+    const Bounds box = shape_bounds(volume.shape, scene.dimension);
+    const double reach = 0.5 * glm::length(box.max - box.min);
+    speed = std::max(speed, glm::length(volume.velocity) + glm::length(volume.angular_velocity) * reach);
+  }
+  return speed;
+}
+
+}  // namespace
+
+double smoothing_length(const Scene& scene) { return scene.solver.kernel.smoothing * scene.particle_spacing; }
+
+double support_radius(const Scene& scene) { return 2 * smoothing_length(scene); }
+
+double particle_mass(const Scene& scene) {
+  return scene.fluid.rest_density * std::pow(scene.particle_spacing, scene.dimension);
+}
+
+int wall_layers(const Scene& scene, const Wall& wall) {
+  if (wall.layers > 0) return wall.layers;
+  // The last digits of h / dx must not add a layer.
+  return std::max(1, static_cast<int>(std::ceil(2 * scene.solver.kernel.smoothing - 1e-9)));
+}
+
+std::int64_t last_frame(const Scene& scene) {
+  const double frames = scene.duration * scene.render.fps;
+  const double nearest = std::round(frames);
+  // 0.7 s at 10 frames per second are 7 frames although the product in binary is a little less.
+  const bool whole = std::abs(frames - nearest) <= 1e-9 * std::max(1.0, frames);
+  return static_cast<std::int64_t>(whole ? nearest : std::floor(frames));
+}
+
+double stiffness(const Scene& scene) {
+  if (const auto* given = std::get_if<Stiffness>(&scene.solver.compressibility)) return given->k;
+  const double c0 = std::get<SoundSpeed>(scene.solver.compressibility).c0;
+  return scene.fluid.rest_density * c0 * c0 / scene.solver.exponent;
+}
+
+double sound_speed(const Scene& scene) {
+  if (const auto* given = std::get_if<SoundSpeed>(&scene.solver.compressibility)) return given->c0;
+  return std::sqrt(scene.solver.exponent * stiffness(scene) / scene.fluid.rest_density);
+}
+
+double max_speed_estimate(const Scene& scene) {
+  const double first = initial_speed(scene);
+  const bool cohesive = scene.fluid.surface_tension.model != SurfaceTensionModel::none;
+  double gained = fall(scene, scene.gravity, first);
+  double tension = cohesive ? scene.fluid.surface_tension.coefficient : 0;
+  for (const TimelineEvent& event : scene.timeline) {
+    if (event.set.gravity) gained = std::max(gained, fall(scene, *event.set.gravity, first));
+    if (event.set.surface_tension && cohesive) tension = std::max(tension, *event.set.surface_tension);
+  }
+  // s / dx^d is the energy per mass that cohesion can turn into motion, up to a factor near one.
+  return std::sqrt(first * first + gained + tension / std::pow(scene.particle_spacing, scene.dimension));
+}
+
+bool draws(const Scene& scene) {
+  return scene.output.movie.has_value() || scene.output.frames || !scene.output.stills.empty();
+}
+
+}  // namespace weir

@@ -1,0 +1,89 @@
+// Weakly compressible SPH as in seed A [Hinsch24 Alg. 3]: density by summation, pressure from an equation of state,
+// accelerations, Euler-Cromer.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <variant>
+
+#include "equations/kernels.h"
+#include "equations/momentum.h"
+#include "scene/sampling.h"
+#include "scene/scene.h"
+#include "sph/neighbours.h"
+#include "sph/particles.h"
+
+namespace weir {
+
+// What a timeline may change during a run.
+template <int Dim>
+struct Controls {
+  Vec<Dim, double> gravity{};  // m/s^2
+  double stiffness = 0;        // k, Pa
+  double viscosity = 0;        // nu, m^2/s
+  double surface_tension = 0;  // s, m^(Dim + 2)/s^2
+};
+
+// A particle that left the range in which the method means anything.
+struct Escape {
+  std::int32_t id = -1;
+  double distance = 0;  // moved in one step, m; not finite when the state is not
+};
+
+template <int Dim>
+class Wcsph {
+ public:
+  // The scene must be right; `sampling` are its particles.
+  Wcsph(const Scene& scene, const Sampling& sampling, int threads);
+
+  // One time step, in the order of the algorithm box; each needs those before it.
+  void find_neighbours();
+  void compute_density();
+  void compute_pressure();
+  void compute_accelerations();
+  // Moves the particles by dt. Returns the particle of the smallest id that moved farther than `step_reach()`, or whose
+  // state is not finite; the state is of no use then.
+  std::optional<Escape> integrate(double dt);
+
+  double max_speed() const { return max_speed_; }        // m/s, of the current velocities
+  double max_acceleration() const;                       // m/s^2, of the last accelerations
+  double step_reach() const { return support_radius_; }  // m; farther in one step and neighbours mean nothing
+
+  void set(const Controls<Dim>& controls) { controls_ = controls; }
+  void reset(const Sampling& sampling);  // back to the start
+
+  const FluidParticles<Dim>& fluid() const { return fluid_; }
+  FluidParticles<Dim>& fluid() { return fluid_; }
+  const WallParticles<Dim>& walls() const { return walls_; }
+  double particle_mass() const { return mass_; }  // kg
+  double smoothing_length() const { return h_; }  // m
+  double pressure_at(std::size_t i) const;        // Pa, of the last step
+  const Neighbours<Dim>& neighbours() const { return neighbours_; }
+
+ private:
+  using AnyKernel = std::variant<KernelAt<CubicSpline<Dim>, Real>, KernelAt<WendlandC2<Dim>, Real>>;
+  static AnyKernel make_kernel(KernelName name, double h);
+
+  double h_;
+  double support_radius_;
+  double dx_;
+  double mass_;
+  double rest_density_;
+  int exponent_;
+  bool clamp_negative_pressure_;
+  ViscosityModel viscosity_model_;
+  SurfaceTensionModel surface_tension_model_;
+  WallSlip wall_slip_;
+  int threads_;
+  AnyKernel kernel_;
+  Controls<Dim> controls_;
+  FluidParticles<Dim> fluid_;
+  WallParticles<Dim> walls_;
+  Neighbours<Dim> neighbours_;
+  double max_speed_ = 0;
+};
+
+extern template class Wcsph<2>;
+extern template class Wcsph<3>;
+
+}  // namespace weir
