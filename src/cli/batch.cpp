@@ -13,7 +13,7 @@
 #include "cli/signals.h"
 #include "cli/wall_time.h"
 #include "core/threads.h"
-#include "run/manifest.h"
+#include "run/run_folder.h"
 #include "run/stopwatch.h"
 
 namespace weir {
@@ -146,7 +146,7 @@ void Batch::print_table() const {
   for (const Job& job : jobs_) {
     // A scene that is wrong or was refused wrote nothing; what stands in its folder is another run's.
     const bool wrote = job.exit && *job.exit != static_cast<int>(ExitCode::usage);
-    const std::optional<PastRun> past = wrote ? read_past_run(job.folder / "manifest.json") : std::nullopt;
+    const std::optional<Manifest> past = wrote ? past_run(job.folder / "manifest.json") : std::nullopt;
     fmt::print("{:<{}}  {:>4}  {:>9}  {:>9}  {}\n", job.name, width, job.exit ? std::to_string(*job.exit) : "-",
                job.was_there ? "was there"
                : job.exit    ? fmt::format("{:.1f}", job.seconds)

@@ -24,7 +24,7 @@ constexpr const char* own_program = "/proc/self/exe";
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != parent) _exit(1);  // the parent died before the line above
-  const int nothing = open("/dev/null", O_RDWR);
+  const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
   dup2(nothing, STDIN_FILENO);
   dup2(nothing, STDOUT_FILENO);
   dup2(output, STDERR_FILENO);

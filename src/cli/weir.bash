@@ -19,7 +19,7 @@ _weir() {
     run) options="-h --help -o --output --set --threads --force --progress --max-wall-time --gl-device" ;;
     check) options="-h --help --set --threads --print" ;;
     batch) options="-h --help -o --output -j --jobs --set --threads --force --gl-device" ;;
-    compare) options="-h --help --tolerance --fraction --difference" ;;
+    compare) options="-h --help --tolerance --fraction --difference --json" ;;
     report) options="-h --help -o --output --threads --gl-device" ;;
     info) options="-h --help --json" ;;
     *) options="-h --help" ;;

@@ -7,13 +7,14 @@
 
 #include "core/sha256.h"
 #include "core/threads.h"
+#include "output/file.h"
+#include "output/log.h"
+#include "output/manifest.h"
 #include "run/instruction_set.h"
-#include "run/log_file.h"
-#include "run/manifest.h"
+#include "run/log_schedule.h"
 #include "run/pictures.h"
 #include "run/run_folder.h"
 #include "run/stopwatch.h"
-#include "run/text_file.h"
 #include "scene/check.h"
 
 namespace weir {
@@ -51,7 +52,8 @@ class Session {
         folder_(folder),
         scene_text_(std::move(scene_text)),
         provenance_(std::move(provenance)),
-        threads_(thread_count(options.threads)) {}
+        threads_(thread_count(options.threads)),
+        log_schedule_(scene.output.log.every) {}
 
   // Everything that can fail for lack of something: device, folder, encoder. Nothing stays behind when it throws.
   void open();
@@ -84,7 +86,9 @@ class Session {
   double log_seconds_ = 0;
   double next_progress_ = 0;  // s since the start
   std::unique_ptr<Simulation> simulation_;
-  std::optional<LogFile> log_;
+  LogSchedule log_schedule_;
+  std::optional<LogWriter> log_;
+  double max_density_error_ = 0;  // over all rows of the log
   std::optional<Pictures> pictures_;
   ExitCode exit_ = ExitCode::done;
   std::string message_;
@@ -118,8 +122,9 @@ void Session::open_files() {
     pictures_->open(folder_, provenance_, std::min(threads_, most_png_workers));
     if (scene_.output.movie) say(fmt::format("encoding with {}", pictures_->encoder()));
   }
-  write_text_file(folder_.scene_file(), scene_text_);
-  log_.emplace(folder_.log_file(), scene_.output.log.every);
+  write_file(folder_.scene_file(), scene_text_);
+  log_.emplace(folder_.log_file(), scene_.dimension);
+  write_manifest(folder_.manifest_file(), manifest());  // without exit: this run has not ended
 }
 
 void Session::note(ExitCode exit, const std::string& message) {
@@ -158,7 +163,7 @@ void Session::step_through() {
   for (;;) {
     const std::int64_t frame = simulation_->frame_index();
     if (pictures_ && frame >= 0 && pictures_->wants(frame)) pictures_->add(*simulation_);
-    if (simulation_->finished() || log_->due(simulation_->time())) log_row();
+    if (simulation_->finished() || log_schedule_.due(simulation_->time())) log_row();
     report_progress();
     if (simulation_->finished() || (pictures_ && pictures_->failed())) return;
     if (const std::string reason = reason_to_stop(); !reason.empty()) {
@@ -171,7 +176,10 @@ void Session::step_through() {
 
 void Session::log_row() {
   const Stopwatch watch;
-  log_->write(simulation_->diagnostics());
+  const Diagnostics row = simulation_->diagnostics();
+  log_->write(row);
+  log_schedule_.written(row.time);
+  max_density_error_ = std::max(max_density_error_, row.max_density_error);
   log_seconds_ += watch.seconds();
 }
 
@@ -197,7 +205,7 @@ RunResult Session::play() {
   attempt([this] { step_through(); });
   attempt([this] {
     // The row of the last step when the run ended early, unless its state means nothing any more.
-    if (exit_ != ExitCode::diverged && log_->last_time() != simulation_->time()) log_row();
+    if (exit_ != ExitCode::diverged && log_schedule_.last() != simulation_->time()) log_row();
     log_->close();
   });
   if (pictures_) attempt([this] { pictures_->finish(); });
@@ -207,7 +215,11 @@ RunResult Session::play() {
         "; {}. No checkpoint was written, as this version has none: the run starts again from the beginning",
         what_was_written());
   }
-  attempt([this] { write_text_file(folder_.manifest_file(), to_json(manifest())); });
+  attempt([this] {
+    Manifest facts = manifest();
+    facts.exit = exit_;
+    write_manifest(folder_.manifest_file(), facts);
+  });
   RunResult result;
   result.exit = exit_;
   result.message = message_;
@@ -227,36 +239,34 @@ std::string Session::what_was_written() const {
 Manifest Session::manifest() const {
   Manifest facts;
   facts.version = provenance_.version;
-  facts.scene = scene_.name;
   facts.scene_sha256 = provenance_.scene_sha256;
   facts.state_hash = simulation_->state_hash();
   facts.dimension = scene_.dimension;
-  facts.fluid_particles = simulation_->fluid_particles();
-  facts.wall_particles = simulation_->wall_particles();
+  facts.particles = {.fluid = simulation_->fluid_particles(), .wall = simulation_->wall_particles()};
   facts.steps = simulation_->steps();
-  facts.time = simulation_->time();
-  facts.simulated_time = simulation_->simulated_time();
+  facts.simulated_time_s = simulation_->simulated_time();
   facts.threads = threads_;
   const StageTimes solver = simulation_->stage_times();
-  facts.wall_time.setup = setup_seconds_;
-  facts.wall_time.neighbours = solver.neighbours;
-  facts.wall_time.solve = solver.solve;
-  facts.wall_time.write = log_seconds_;
+  facts.wall_time_s.setup = setup_seconds_;
+  facts.wall_time_s.neighbours = solver.neighbours;
+  facts.wall_time_s.solve = solver.neighbours + solver.solve;
+  facts.wall_time_s.write = log_seconds_;
+  if (facts.wall_time_s.solve > 0) {
+    facts.particle_steps_per_second =
+        static_cast<double>(facts.particles.fluid) * static_cast<double>(facts.steps) / facts.wall_time_s.solve;
+  }
   if (pictures_) {
     const PictureTimes times = pictures_->times();
     facts.frames = pictures_->drawn();
-    facts.wall_time.render = times.render;
-    facts.wall_time.encode = times.encode;
-    facts.wall_time.write += times.write;
+    facts.wall_time_s.render = times.render;
+    facts.wall_time_s.encode = times.encode;
+    facts.wall_time_s.write += times.write;
     facts.gl_renderer = pictures_->gl_renderer();
     facts.encoder = pictures_->encoder();
   }
-  if (scene_.output.movie) facts.movie = folder_.movie_file().filename().string();
-  facts.max_density_error = log_->max_density_error();
+  facts.max_density_error = max_density_error_;
   facts.instruction_set = instruction_set();
-  facts.exit = exit_;
-  facts.message = message_;
-  facts.wall_time.total = since_start_.seconds();
+  facts.wall_time_s.total = since_start_.seconds();
   return facts;
 }
 

@@ -7,8 +7,8 @@
 #include <system_error>
 
 #include "core/error.h"
-#include "run/manifest.h"
-#include "run/text_file.h"
+#include "output/file.h"
+#include "output/manifest.h"
 #include "scene/reader.h"
 
 namespace weir {
@@ -33,6 +33,15 @@ void append_matching(const fs::path& folder, const std::regex& name, std::vector
 }
 
 }  // namespace
+
+std::optional<Manifest> past_run(const fs::path& manifest_file) {
+  if (!stands(manifest_file)) return std::nullopt;
+  try {
+    return read_manifest(manifest_file);
+  } catch (const OutputError&) {
+    return std::nullopt;  // whatever it is, no run that could be known again
+  }
+}
 
 std::string effective_scene_text(const Scene& scene) { return std::string(mark) + write_scene(scene); }
 
@@ -61,8 +70,8 @@ std::vector<fs::path> RunFolder::products() const {
 }
 
 bool RunFolder::holds_finished(const Provenance& provenance) const {
-  const std::optional<PastRun> past = read_past_run(manifest_file());
-  if (!past || past->exit != 0 || past->version != provenance.version ||
+  const std::optional<Manifest> past = past_run(manifest_file());
+  if (!past || past->exit != ExitCode::done || past->version != provenance.version ||
       past->scene_sha256 != provenance.scene_sha256) {
     return false;
   }
@@ -82,14 +91,6 @@ std::vector<fs::path> RunFolder::files_of_runs() const {
   append_existing(log_file());
   append_existing(movie_file());
   append_existing(folder_ / (scene_.name + ".part.mp4"));
-  // A run of another scene left a movie of another name.
-  if (const std::optional<PastRun> past = read_past_run(manifest_file())) {
-    const fs::path movie = fs::path(past->movie).filename();
-    if (!movie.empty() && movie != movie_file().filename()) {
-      append_existing(folder_ / movie);
-      append_existing(folder_ / (movie.stem().string() + ".part.mp4"));
-    }
-  }
   append_matching(folder_ / "frames", std::regex("frame_[0-9]{5,}\\.png"), files);
   append_matching(folder_ / "stills", std::regex("still_[0-9]{5,}\\.png"), files);
   return files;
@@ -98,7 +99,7 @@ std::vector<fs::path> RunFolder::files_of_runs() const {
 void RunFolder::refuse_other_run(bool force) const {
   const std::vector<fs::path> files = files_of_runs();
   if (files.empty()) return;
-  if (stands(scene_file()) && !read_text_file(scene_file()).starts_with(mark)) {
+  if (stands(scene_file()) && !read_file(scene_file()).starts_with(mark)) {
     throw UsageError(fmt::format("{} was not written by weir and would be overwritten: choose another folder with -o",
                                  scene_file().string()));
   }

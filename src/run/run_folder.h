@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "output/manifest.h"
 #include "output/sink.h"
 #include "scene/scene.h"
 
@@ -13,6 +15,9 @@ namespace weir {
 
 // The scene as it is written to scene.yaml and hashed: all defaults filled in, the same text for the same meaning.
 std::string effective_scene_text(const Scene& scene);
+
+// The manifest of an earlier run, if there is one that can be read.
+std::optional<Manifest> past_run(const std::filesystem::path& manifest_file);
 
 class RunFolder {
  public:

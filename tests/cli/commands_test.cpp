@@ -26,7 +26,7 @@ using testing::StartsWith;
 
 class Commands : public testing::Test {
  protected:
-  Commands() { write_file(scene_, small_scene_text); }
+  Commands() { put_file(scene_, small_scene_text); }
 
   TemporaryFolder temporary_;
   fs::path scene_ = temporary_ / "small.yaml";
@@ -45,7 +45,7 @@ TEST_F(Commands, CheckTellsWhatASceneCosts) {
 
 TEST_F(Commands, CheckTellsEveryMistakeOfEveryScene) {
   const fs::path wrong = temporary_ / "wrong.yaml";
-  write_file(wrong, small_scene_text + "first: 1\nsecond: 2\n");
+  put_file(wrong, small_scene_text + "first: 1\nsecond: 2\n");
   const Outcome outcome = weir_program({"check", wrong.string(), scene_.string()});
   EXPECT_EQ(outcome.exit, 2);
   EXPECT_THAT(outcome.err, HasSubstr(wrong.string() + ":12:1: error: "));
@@ -57,7 +57,7 @@ TEST_F(Commands, CheckPrintsTheEffectiveScene) {
   const Outcome outcome = weir_program({"check", scene_.string(), "--print", "--set", "duration=0.3"});
   ASSERT_EQ(outcome.exit, 0) << outcome.err;
   const fs::path printed = temporary_ / "printed.yaml";
-  write_file(printed, outcome.out);
+  put_file(printed, outcome.out);
   EXPECT_THAT(outcome.out, HasSubstr("duration: 0.3"));
   EXPECT_THAT(outcome.out, HasSubstr("rest_density: 1000"));  // a default
   EXPECT_EQ(weir_program({"check", printed.string(), "--print"}).out, outcome.out);
@@ -66,8 +66,8 @@ TEST_F(Commands, CheckPrintsTheEffectiveScene) {
 TEST_F(Commands, BatchRunsEverySceneThoughOneIsWrong) {
   const fs::path wrong = temporary_ / "wrong.yaml";
   const fs::path other = temporary_ / "other.yaml";
-  write_file(wrong, small_scene_text + "colour: red\n");
-  write_file(other, small_scene_text);
+  put_file(wrong, small_scene_text + "colour: red\n");
+  put_file(other, small_scene_text);
   const std::vector<std::string> arguments{
       "batch", scene_.string(), wrong.string(), other.string(), "-o", temporary_.path().string(), "-j", "2"};
   const Outcome outcome = weir_program(arguments);
@@ -88,7 +88,7 @@ TEST_F(Commands, BatchRunsEverySceneThoughOneIsWrong) {
 
 TEST_F(Commands, BatchDividesTheThreads) {
   const fs::path other = temporary_ / "other.yaml";
-  write_file(other, small_scene_text);
+  put_file(other, small_scene_text);
   ASSERT_EQ(weir_program({"batch", scene_.string(), other.string(), "-o", temporary_.path().string(), "-j", "2",
                           "--threads", "6", "--set", "output.movie=false"})
                 .exit,
@@ -99,7 +99,7 @@ TEST_F(Commands, BatchDividesTheThreads) {
 
 TEST_F(Commands, BatchRefusesTwoScenesOfOneName) {
   const fs::path twin = temporary_ / "twin" / "small.yaml";
-  write_file(twin, small_scene_text);
+  put_file(twin, small_scene_text);
   const Outcome outcome = weir_program({"batch", scene_.string(), twin.string(), "-o", (temporary_ / "out").string()});
   EXPECT_EQ(outcome.exit, 2);
   EXPECT_THAT(outcome.err, AllOf(HasSubstr(scene_.string()), HasSubstr(twin.string())));
@@ -108,9 +108,9 @@ TEST_F(Commands, BatchRefusesTwoScenesOfOneName) {
 
 TEST_F(Commands, BatchPassesASignalOn) {
   const fs::path other = temporary_ / "other.yaml";
-  write_file(other, small_scene_text);
+  put_file(other, small_scene_text);
   const fs::path never = temporary_ / "never.yaml";
-  write_file(never, small_scene_text);
+  put_file(never, small_scene_text);
   Program program({"batch", scene_.string(), other.string(), never.string(), "-o", temporary_.path().string(), "-j",
                    "2", "--set", "duration=100000"});
   ASSERT_TRUE(program.says("[small] weir: encoding"));

@@ -33,7 +33,7 @@ class Compare : public testing::Test {
     return weir_program(arguments);
   }
   fs::path run(const std::string& name, const std::vector<std::string>& more) {
-    write_file(temporary_ / "small.yaml", small_scene_text);
+    put_file(temporary_ / "small.yaml", small_scene_text);
     std::vector<std::string> arguments{"run", (temporary_ / "small.yaml").string(), "-o", (temporary_ / name).string()};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome outcome = weir_program(arguments);
@@ -47,16 +47,16 @@ class Compare : public testing::Test {
 TEST_F(Compare, FindsEqualPicturesTheSame) {
   const Outcome outcome = compare(picture("a.png", 0, 0), picture("b.png", 0, 0));
   EXPECT_EQ(outcome.exit, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, AllOf(HasSubstr("PSNR: inf dB"), HasSubstr("\nsame\n")));
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("the same pixels"), HasSubstr("\nthe same\n")));
 }
 
 TEST_F(Compare, CountsWhatDiffers) {
   const Outcome outcome = compare(picture("a.png", 0, 0), picture("b.png", 5, 20));
   EXPECT_EQ(outcome.exit, 1);
-  EXPECT_THAT(outcome.out, HasSubstr("more than 0: 5 of 100 (5.0000 %)"));
-  EXPECT_THAT(outcome.out, HasSubstr("largest difference: 20 of 255"));
-  EXPECT_THAT(outcome.out, HasSubstr("mean difference: 0.2500"));  // 5 * 20 / 400
-  EXPECT_THAT(outcome.out, HasSubstr("PSNR: 41.14 dB"));           // 10 log10(255^2 / (5 * 400 / 400))
+  EXPECT_THAT(outcome.out, HasSubstr(" 5 % of the pixels over 0/255"));
+  EXPECT_THAT(outcome.out, HasSubstr("largest difference 20/255"));
+  EXPECT_THAT(outcome.out, HasSubstr("mean 0.25/255"));  // 5 * 20 / 400
+  EXPECT_THAT(outcome.out, HasSubstr("PSNR 41.1 dB"));   // 10 log10(255^2 / (5 * 400 / 400))
   EXPECT_THAT(outcome.out, HasSubstr("\ndifferent\n"));
 }
 
@@ -83,8 +83,8 @@ TEST_F(Compare, ComparesRunFolders) {
   const fs::path b = run("b", {"--set", "output.frames=true", "--threads", "3"});
   const Outcome same = compare(a, b);
   EXPECT_EQ(same.exit, 0) << same.out << same.err;
-  EXPECT_THAT(same.out, HasSubstr("state_hash: same"));
-  EXPECT_THAT(same.out, HasSubstr("pictures: 12 compared, 0 different"));  // 6 frames, 6 of the movie
+  EXPECT_THAT(same.out, HasSubstr("state_hash: the same"));
+  EXPECT_THAT(same.out, AllOf(HasSubstr("movie: 6 frames"), HasSubstr("frame_00005.png: the same pixels")));
 
   const fs::path c = run("c", {"--set", "output.frames=true", "--set", "fluid.rest_density=900"});
   const Outcome other = compare(a, c);
@@ -94,7 +94,7 @@ TEST_F(Compare, ComparesRunFolders) {
   fs::remove(b / "frames" / "frame_00003.png");
   const Outcome missing = compare(a, b);
   EXPECT_EQ(missing.exit, 1);
-  EXPECT_THAT(missing.out, HasSubstr("frame_00003.png is in " + (a / "frames").string() + " only"));
+  EXPECT_THAT(missing.out, HasSubstr("frame_00003.png: only in " + a.string()));
 }
 
 TEST_F(Compare, ComparesMovies) {
@@ -103,7 +103,7 @@ TEST_F(Compare, ComparesMovies) {
   EXPECT_EQ(compare(a, a).exit, 0);
   const Outcome other = compare(a, longer);
   EXPECT_EQ(other.exit, 1);
-  EXPECT_THAT(other.out, HasSubstr("ends after 6 frames"));
+  EXPECT_THAT(other.out, HasSubstr("6 against 11 frames"));
 }
 
 TEST_F(Compare, ComparesRunsWithoutPicturesByTheirParticles) {
@@ -112,7 +112,7 @@ TEST_F(Compare, ComparesRunsWithoutPicturesByTheirParticles) {
   EXPECT_EQ(compare(a, a).exit, 0);
   const Outcome other = compare(a, b);
   EXPECT_EQ(other.exit, 1);
-  EXPECT_THAT(other.out, HasSubstr("the particles differ"));
+  EXPECT_THAT(other.out, HasSubstr("DIFFERENT state_hash"));
 }
 
 TEST_F(Compare, FindsSizesDifferent) {
@@ -125,11 +125,10 @@ TEST_F(Compare, FindsSizesDifferent) {
 
 TEST_F(Compare, RefusesWhatItCannotCompare) {
   const fs::path a = picture("a.png", 0, 0);
-  write_file(temporary_ / "text.png", "no picture");
+  put_file(temporary_ / "text.png", "no picture");
   EXPECT_EQ(compare(a, temporary_ / "nowhere.png").exit, 2);
   EXPECT_EQ(compare(a, temporary_ / "text.png").exit, 2);
   EXPECT_EQ(compare(a, temporary_.path()).exit, 2);
-  EXPECT_EQ(compare(temporary_.path(), temporary_.path()).exit, 2);
 }
 
 }  // namespace

@@ -49,6 +49,6 @@ class Program {
 Outcome weir_program(std::vector<std::string> arguments, const Surroundings& surroundings = {});
 
 std::string file_text(const std::filesystem::path& file);
-void write_file(const std::filesystem::path& file, const std::string& text);
+void put_file(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace weir

@@ -25,7 +25,7 @@ using testing::UnorderedElementsAre;
 
 class Run : public testing::Test {
  protected:
-  Run() { write_file(scene_, small_scene_text); }
+  Run() { put_file(scene_, small_scene_text); }
 
   Outcome run(std::vector<std::string> more = {}, const Surroundings& surroundings = {}) {
     std::vector<std::string> arguments{"run", scene_.string(), "-o", folder_.string(), "--progress", "none"};
@@ -117,7 +117,7 @@ TEST_F(Run, SkipsTheFinishedRunAndRefusesAnother) {
 }
 
 TEST_F(Run, NamesMistakesWithTheirPlaceAndWritesNothing) {
-  write_file(scene_, small_scene_text + "colour: red\nbodies: 3\n");
+  put_file(scene_, small_scene_text + "colour: red\nbodies: 3\n");
   const Outcome outcome = run();
   EXPECT_EQ(outcome.exit, 2);
   EXPECT_THAT(outcome.err, HasSubstr(scene_.string() + ":12:1: error: "));

@@ -23,7 +23,7 @@ using testing::Not;
 
 class Endless : public testing::Test {
  protected:
-  Endless() { write_file(scene_, small_scene_text); }
+  Endless() { put_file(scene_, small_scene_text); }
   // Never ends by itself within a test's time; 10 frames a second, so that a second of movie is quickly full.
   std::vector<std::string> arguments(std::vector<std::string> more = {}) {
     std::vector<std::string> words{"run",   scene_.string(),   "-o",    folder_.string(), "--progress", "json",

@@ -6,12 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "core/sha256.h"
+#include "output/file.h"
 #include "pipeline/fakes.h"
 #include "run/run.h"
 #include "run/run_folder.h"
 #include "pipeline/small_scene.h"
 #include "pipeline/temporary_folder.h"
-#include "run/text_file.h"
 #include "scene/reader.h"
 
 namespace weir {
@@ -40,7 +40,7 @@ class Folder : public testing::Test {
   }
   void put(const fs::path& file, const std::string& text) {
     fs::create_directories(file.parent_path());
-    TextFile(file).write(text);
+    write_file(file, text);
   }
 
   TemporaryFolder temporary_;
@@ -51,8 +51,8 @@ class Folder : public testing::Test {
 
 TEST_F(Folder, HoldsTheEffectiveSceneThatItsHashIsOf) {
   ASSERT_EQ(run(scene_, options_).exit, ExitCode::done);
-  const std::string text = read_text_file(folder_ / "scene.yaml");
-  const auto manifest = nlohmann::json::parse(read_text_file(folder_ / "manifest.json"));
+  const std::string text = read_file(folder_ / "scene.yaml");
+  const auto manifest = nlohmann::json::parse(read_file(folder_ / "manifest.json"));
   EXPECT_EQ(manifest["scene_sha256"], sha256(text));
   const Scene again = read_scene(folder_ / "scene.yaml");
   EXPECT_EQ(effective_scene_text(again), text);
@@ -86,10 +86,10 @@ TEST_F(Folder, RefusesARunThatEndedBadly) {
 
 TEST_F(Folder, RefusesARunOfAnotherVersion) {
   run(scene_, options_);
-  std::string manifest = read_text_file(folder_ / "manifest.json");
+  std::string manifest = read_file(folder_ / "manifest.json");
   const std::string version = "\"version\": \"" WEIR_VERSION "\"";
   manifest.replace(manifest.find(version), version.size(), "\"version\": \"0.0.1\"");
-  write_text_file(folder_ / "manifest.json", manifest);
+  write_file(folder_ / "manifest.json", manifest);
   EXPECT_THAT(refusal(), HasSubstr("different or unfinished run"));
 }
 
@@ -110,7 +110,7 @@ TEST_F(Folder, LosesOnlyWhatRunsWroteWhenForced) {
   put(folder_ / "notes.txt", "mine");
   put(folder_ / "frames" / "mine.png", "mine");
   put(folder_ / "frames" / "frame_00099.png", "an earlier, longer run's");
-  put(folder_ / "other.mp4", "mine");
+  put(folder_ / "other.mp4", "of another scene");
   options_.force = true;
   scene_.duration = 0.25;
   ASSERT_EQ(run(scene_, options_).exit, ExitCode::done);
@@ -120,22 +120,11 @@ TEST_F(Folder, LosesOnlyWhatRunsWroteWhenForced) {
   EXPECT_FALSE(fs::exists(folder_ / "frames" / "frame_00099.png"));
 }
 
-TEST_F(Folder, LosesTheMovieOfAnEarlierSceneWhenForced) {
-  scene_.output.movie.emplace();
-  scene_.name = "earlier";
-  run(scene_, options_);
-  put(folder_ / "earlier.mp4", "the fakes write none");
-  scene_.name = "small";
-  options_.force = true;
-  ASSERT_EQ(run(scene_, options_).exit, ExitCode::done);
-  EXPECT_FALSE(fs::exists(folder_ / "earlier.mp4"));
-}
-
 TEST_F(Folder, NeverLosesASceneOfTheUsers) {
   put(folder_ / "scene.yaml", "weir: 1\n");
   options_.force = true;
   EXPECT_THAT(refusal(), HasSubstr("was not written by weir"));
-  EXPECT_EQ(read_text_file(folder_ / "scene.yaml"), "weir: 1\n");
+  EXPECT_EQ(read_file(folder_ / "scene.yaml"), "weir: 1\n");
 }
 
 TEST_F(Folder, MayStandAmongOtherFiles) {
@@ -146,7 +135,7 @@ TEST_F(Folder, MayStandAmongOtherFiles) {
 TEST_F(Folder, IsNoFile) {
   put(folder_, "a file");
   EXPECT_THROW(run(scene_, options_), OutputError);
-  EXPECT_EQ(read_text_file(folder_), "a file");
+  EXPECT_EQ(read_file(folder_), "a file");
 }
 
 TEST_F(Folder, IsNamedAfterTheSceneByDefault) {
