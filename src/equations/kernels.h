@@ -1,9 +1,8 @@
 // Smoothing kernels W(r) and their derivatives.
 //
-// [Hinsch24]   J. Hinsch, A Simple 2D SPH Fluid Solver, University of Freiburg, 2024 (cubic spline after Monaghan
-// 1992). [Wendland95] H. Wendland, Piecewise polynomial, positive definite and compactly supported radial functions of
-// minimal
-//              degree, Adv. Comput. Math. 4 (1995) 389-396.
+// [Hinsch24]   J. Hinsch, A Simple 2D SPH Fluid Solver, University of Freiburg, 2024: the cubic spline.
+// [Wendland95] H. Wendland, Piecewise polynomial, positive definite and compactly supported radial functions of
+//              minimal degree, Adv. Comput. Math. 4 (1995) 389-396.
 // [Dehnen12]   W. Dehnen, H. Aly, Improving convergence in smoothed particle hydrodynamics simulations without pairing
 //              instability, MNRAS 425 (2012) 1068-1082: the normalisation in 1D, 2D and 3D.
 //

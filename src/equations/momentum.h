@@ -17,8 +17,8 @@ namespace weir {
 constexpr double viscosity_softening = 0.01;
 
 // The consistent viscosities take the neighbour's volume with the pair's mean density instead of rho_j alone: the
-// forces of a pair are then opposite, and momentum is conserved to round-off; the difference is of second order. V_ij =
-// 2 m_j / (rho_i + rho_j), m^Dim. [Monaghan05, mean density]
+// forces of a pair are then opposite, and momentum is conserved to round-off; the difference is of second order.
+// V_ij = 2 m_j / (rho_i + rho_j), m^Dim. [Monaghan05, mean density]
 template <int Dim, class R>
 R pair_volume(const Pair<Dim, R>& pair) {
   return R(2) * pair.m_j / (pair.rho_i + pair.rho_j);

@@ -12,8 +12,8 @@
 
 namespace weir {
 
-// p, Pa, at rho / rho0 = `ratio`: Tait's equation for exponent 7, the linear one for exponent 1. [Hinsch24 ch. 4.4,
-// Tait]
+// p, Pa, at rho / rho0 = `ratio`: Tait's equation for exponent 7, the linear one for exponent 1.
+// [Hinsch24 ch. 4.4, Tait]
 template <class R>
 R pressure_of_state(R ratio, R k, int exponent) {
   return k * (integer_power(ratio, exponent) - R(1));
