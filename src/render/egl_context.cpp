@@ -100,7 +100,10 @@ std::vector<EglContext::Candidate> EglContext::candidates(std::vector<DeviceTria
                      EGL_PLATFORM_DEVICE_EXT, devices[k], false});
     }
   } else {
-    trials.push_back({"EGL devices", false, "the EGL library cannot list devices (EGL_EXT_device_enumeration)"});
+    trials.push_back(
+        {"EGL devices", false,
+         "the EGL library cannot list devices (EGL_EXT_device_enumeration), as without any driver; Mesa's is "
+         "libegl-mesa0"});
   }
   if (has_extension(client, "EGL_MESA_platform_surfaceless"))
     all.push_back({"Mesa without surface", EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, false});
