@@ -22,8 +22,9 @@ flat out vec2 center;       // pixels, from the picture's top left corner
 flat out float disc_radius; // pixels
 flat out vec4 color;
 
-// Below this radius, in pixels, a disc keeps this size and becomes fainter instead, with the same area.
-const float least_radius = 0.7;
+// Below this radius, in pixels, a disc keeps this size and becomes fainter instead, with the same area: the edge of a
+// smaller one turns too sharply within a pixel for the fragment shader's three chords.
+const float least_radius = 1.0;
 
 // Pixels whose centre is half a pixel beyond the disc, across or down, do not touch it; and a little for the rounding of
 // positions to 1/256 pixel.

@@ -64,10 +64,9 @@ class Layouter {
     const int top = at_top ? margin_ : height_ - margin_ - height;
     return {left, top, left + width, top + height};
   }
-  bool row_fits() const { return height_ >= 2 * margin_ + row_height(layout_.title_size); }
-  bool two_rows_fit() const {
-    return height_ >= 4 * margin_ + row_height(layout_.title_size) + row_height(layout_.size);
-  }
+  // A row of text takes two lines with its margin; the scene keeps as much.
+  bool row_fits() const { return height_ >= 5 * layout_.size; }
+  bool two_rows_fit() const { return height_ >= 8 * layout_.size; }
 
   void top_row() {
     if (!row_fits()) return;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -18,8 +19,7 @@ struct Progress {
   std::int64_t step = 0;
   std::int64_t frame = 0;
   std::int64_t frames = 0;
-  double dt = 0;
-  double max_wall_time_left = 0;  // s, estimate
+  double wall_time_left = 0;  // s, estimate
 };
 
 struct RunOptions {

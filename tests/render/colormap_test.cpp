@@ -28,7 +28,9 @@ TEST(Colormap, HasThePublishedAnchors) {
   EXPECT_EQ(colormap(ColormapName::coolwarm)[255], 0xb40426U);
 }
 
-// Mikhailov 2019 gives a polynomial of degree five beside the table, "approximated": within 0.05 of it in our check.
+// Mikhailov 2019 gives a polynomial of degree five beside the table. It is a fit, worst at the dark end where it is
+// 0.125 off; reversed, shifted by a few entries or with channels exchanged, the table would be off by several times
+// that.
 glm::dvec3 turbo_polynomial(double x) {
   const std::array<std::array<double, 6>, 3> c = {
       {{0.13572138, 4.61539260, -42.66032258, 132.13108234, -152.94239396, 59.28637943},
@@ -46,10 +48,12 @@ glm::dvec3 entry(ColormapName name, int k) {
 }
 
 TEST(Colormap, TurboFollowsItsPolynomial) {
+  double worst = 0;
   for (int k = 0; k < 256; ++k) {
     const glm::dvec3 off = glm::abs(entry(ColormapName::turbo, k) - turbo_polynomial(k / 255.0));
-    EXPECT_LT(std::max({off.x, off.y, off.z}), 0.05) << k;
+    worst = std::max({worst, off.x, off.y, off.z});
   }
+  EXPECT_LT(worst, 0.13);
 }
 
 // CIE lightness of an sRGB colour, 0 .. 100.

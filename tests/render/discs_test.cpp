@@ -51,16 +51,18 @@ std::uint32_t rgb(const Image& image, int x, int y) {
 
 class DiscOfRadius : public testing::TestWithParam<double> {};
 
-// Each edge pixel is rounded to 1/254 and off by at most 0.02 with changing sign; both shrink against the area with
-// the radius. Below 0.7 pixels a disc is drawn larger and fainter, and one pixel's rounding counts most.
+// Three chords a pixel give the area to 1 % for a radius of one pixel, better for larger ones. Smaller discs are drawn
+// with that radius and fainter. On top, each of the 8 r + 4 pixels on the edge is rounded to 1/254.
 TEST_P(DiscOfRadius, CoversItsAreaAroundItsCentre) {
   const double radius = GetParam();
   const double area = std::numbers::pi * radius * radius;
+  const double drawn_radius = std::max(radius, 1.0);
+  const double tolerance = 0.01 / drawn_radius + (8 * drawn_radius + 4) * 0.5 / 254 / area;
   for (const glm::dvec2 at : {glm::dvec2(0), glm::dvec2(0.5, 0), glm::dvec2(0.25, 0.4), glm::dvec2(-3.37, 2.71)}) {
     const Blob found = blob(drawn(one_disc(radius, at)));
-    EXPECT_NEAR(found.area / area, 1, radius < 1 ? 0.05 : 0.005) << radius;
-    EXPECT_NEAR(found.center.x, 160 + at.x, 0.03);
-    EXPECT_NEAR(found.center.y, 90 - at.y, 0.03);
+    EXPECT_NEAR(found.area / area, 1, tolerance) << radius;
+    EXPECT_NEAR(found.center.x, 160 + at.x, 0.02 + 0.01 / area);
+    EXPECT_NEAR(found.center.y, 90 - at.y, 0.02 + 0.01 / area);
   }
 }
 INSTANTIATE_TEST_SUITE_P(Discs, DiscOfRadius, testing::Values(0.35, 0.7, 1.5, 3.3, 10, 60));

@@ -1,0 +1,69 @@
+#include "output/compare.h"
+
+#include <fmt/format.h>
+
+#include "cli/commands.h"
+
+namespace weir {
+
+namespace {
+
+struct Options {
+  std::string a;
+  std::string b;
+  ComparisonOptions comparison;
+  std::string difference;
+  bool json = false;
+};
+
+// What cannot be read is a mistake of the command line here, not a failure of output.
+ComparisonResult judge(const Options& options) {
+  try {
+    return compare(options.a, options.b, options.comparison);
+  } catch (const OutputError& error) {
+    throw UsageError(error.what());
+  }
+}
+
+ExitCode compare_two(const Options& options) {
+  ComparisonResult result = judge(options);
+  if (!options.difference.empty()) {
+    ComparisonOptions with_picture = options.comparison;
+    with_picture.difference = options.difference;
+    result = compare(options.a, options.b, with_picture);  // both can be read: what fails now is the writing
+  }
+  if (options.json) {
+    fmt::print("{}", result.json());
+  } else {
+    fmt::print("{}{}\n", result.text(), result.same ? "the same" : "different");
+  }
+  return result.same ? ExitCode::done : ExitCode::internal;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& program, Action& action) {
+  CLI::App* command = program.add_subcommand("compare", "Compare two images, movies or run folders");
+  const auto options = std::make_shared<Options>();
+  command->add_option("a", options->a, "A .png, an .mp4 or a run folder")->type_name("A")->required();
+  command->add_option("b", options->b, "Another of the same kind")->type_name("B")->required();
+  command
+      ->add_option("--tolerance", options->comparison.max,
+                   "Largest difference of a colour channel that does not count, 0 to 255; default: 0")
+      ->type_name("N")
+      ->check(CLI::Range(0, 255));
+  command
+      ->add_option("--fraction", options->comparison.fraction,
+                   "Fraction of the pixels of a picture that may differ by more, 0 to 1; default: 0")
+      ->type_name("F")
+      ->check(CLI::Range(0.0, 1.0));
+  command->add_option("--difference", options->difference, "Write the largest difference as a picture")
+      ->type_name("FILE.png");
+  command->add_flag("--json", options->json, "As a JSON object");
+  command->footer(
+      "Exit 0: the same within the tolerance. Exit 1: different. With a tolerance, run folders are judged by their\n"
+      "pictures; without one, by particles and log as well.");
+  command->callback([&action, options] { action = [options] { return compare_two(*options); }; });
+}
+
+}  // namespace weir

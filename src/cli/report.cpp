@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <map>
+
+#include "cli/commands.h"
+#include "cli/scene_options.h"
+#include "cli/terminal.h"
+#include "render/renderer.h"
+#ifdef WEIR_HAS_REPORT
+#include "report/report.h"
+#endif
+
+namespace weir {
+
+#ifdef WEIR_HAS_REPORT
+namespace {
+
+const std::map<std::string, void (*)(const ReportOptions&)>& reports() {
+  static const std::map<std::string, void (*)(const ReportOptions&)> table{{"seed-a", report_seed_a}};
+  return table;
+}
+
+struct Options {
+  std::string name;
+  std::string folder;
+  int threads = 0;
+  std::string device;
+};
+
+ExitCode write_report(const Options& options) {
+  ReportOptions report;
+  report.folder = options.folder.empty() ? std::filesystem::path("out/report") / options.name
+                                         : std::filesystem::path(options.folder);
+  report.threads = options.threads;
+  report.device = device_choice(options.device);
+  report.message = say;
+  reports().at(options.name)(report);
+  fmt::print("{}\n", report.folder.string());
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_report(CLI::App& program, Action& action) {
+  CLI::App* command = program.add_subcommand("report", "Figures and tables of the studies, as CSV, SVG and PNG");
+  const auto options = std::make_shared<Options>();
+  command->add_option("name", options->name, "Which: seed-a")
+      ->type_name("NAME")
+      ->required()
+      ->check(CLI::IsMember(&reports()).description(""));
+  command->add_option("-o,--output", options->folder, "Folder to write; default: out/report/<name>")->type_name("DIR");
+  add_threads(*command, options->threads);
+  add_gl_device(*command, options->device);
+  command->callback([&action, options] { action = [options] { return write_report(*options); }; });
+}
+#else
+void add_report(CLI::App& program, Action& action) {
+  CLI::App* command = program.add_subcommand("report")->group("")->allow_extras();
+  command->callback([&action] { action = []() -> ExitCode { throw UsageError("weir report is not built yet"); }; });
+}
+#endif
+
+}  // namespace weir

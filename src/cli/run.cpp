@@ -1,0 +1,77 @@
+#include <fmt/format.h>
+
+#include "cli/commands.h"
+#include "cli/progress.h"
+#include "cli/scene_options.h"
+#include "cli/signals.h"
+#include "cli/wall_time.h"
+#include "run/run.h"
+
+namespace weir {
+
+namespace {
+
+struct Options {
+  std::string scene;
+  std::string folder;
+  std::vector<std::string> set;
+  int threads = 0;
+  bool force = false;
+  ProgressStyle progress = ProgressStyle::automatic;
+  std::string max_wall_time;
+  std::string device;
+};
+
+ExitCode run_scene(const Options& options) {
+  RunOptions run_options;
+  run_options.folder = options.folder;
+  run_options.threads = options.threads;
+  run_options.force = options.force;
+  if (!options.max_wall_time.empty()) run_options.max_wall_time = parse_wall_time(options.max_wall_time);
+  run_options.device = device_choice(options.device);
+  run_options.stop = &catch_stop_signals();
+
+  ProgressReport report(options.progress);
+  run_options.progress = [&report](const Progress& progress) { report.show(progress); };
+  run_options.message = [&report](const std::string& text) { report.say(text); };
+
+  const Scene scene = read_scene(options.scene, overrides(options.set));
+  const RunResult result = run(scene, run_options);
+  report.end(result);
+  fmt::print("{}\n", result.folder.string());
+  return result.exit;
+}
+
+}  // namespace
+
+void add_run(CLI::App& program, Action& action) {
+  CLI::App* command = program.add_subcommand("run", "Simulate a scene and write all that it asks for");
+  const auto options = std::make_shared<Options>();
+  command->add_option("scene", options->scene, "The scene, a YAML file")->type_name("SCENE.yaml")->required();
+  command->add_option("-o,--output", options->folder, "Folder to write; default: out/<scene name>")->type_name("DIR");
+  add_set(*command, options->set);
+  add_threads(*command, options->threads);
+  command->add_flag("--force", options->force, "Overwrite another run in the folder");
+  const std::map<std::string, ProgressStyle> styles{{"auto", ProgressStyle::automatic},
+                                                    {"bar", ProgressStyle::bar},
+                                                    {"lines", ProgressStyle::lines},
+                                                    {"json", ProgressStyle::json},
+                                                    {"none", ProgressStyle::none}};
+  command
+      ->add_option("--progress", options->progress,
+                   "auto (a bar on a terminal, else lines), bar, lines, json (an object a line) or none")
+      ->type_name("STYLE")
+      ->transform(CLI::Transformer(styles).description(""))
+      ->check(CLI::IsMember(styles).description(""));
+  command
+      ->add_option("--max-wall-time", options->max_wall_time, "Stop in good order after this time: 90, 90s, 15m or 2h")
+      ->type_name("TIME");
+  add_gl_device(*command, options->device);
+  add_unbuilt_flag(*command, "--resume");
+  command->footer(
+      "The run folder is printed to standard output; everything else goes to standard error.\n"
+      "Example: weir run scenes/dam_break.yaml -o out/try --set particles.spacing=0.02");
+  command->callback([&action, options] { action = [options] { return run_scene(*options); }; });
+}
+
+}  // namespace weir

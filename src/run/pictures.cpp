@@ -1,0 +1,153 @@
+#include "run/pictures.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "run/stopwatch.h"
+
+namespace weir {
+
+Pictures::Pictures(const Scene& scene, const StillLife& still_life, const DeviceChoice& device) : scene_(scene) {
+  for (const double time : scene.output.stills) stills_.push_back(frame_at(scene, time));
+  std::sort(stills_.begin(), stills_.end());
+  for (int i = 0; i < frame_buffers; ++i) free_frames_.push(Frame{});
+
+  std::promise<std::string> ready;
+  std::future<std::string> made = ready.get_future();
+  drawing_ = std::thread([this, &still_life, &device, promise = std::move(ready)]() mutable {
+    draw_frames(still_life, device, std::move(promise));
+  });
+  try {
+    gl_renderer_ = made.get();
+  } catch (...) {
+    end_threads();
+    throw;
+  }
+}
+
+Pictures::~Pictures() { end_threads(); }
+
+void Pictures::open(const RunFolder& folder, const Provenance& provenance, int png_workers) {
+  folder_ = &folder;
+  provenance_ = provenance;
+  if (scene_.output.movie) {
+    movie_ = make_movie_sink(folder.path(), scene_, provenance);
+    encoder_ = movie_->encoder();
+    encoding_ = std::thread([this] { encode_movie(); });
+  }
+  const bool pngs = scene_.output.frames || !stills_.empty();
+  const int workers = pngs ? std::max(1, png_workers) : 0;
+  for (int i = 0; i < workers; ++i) png_workers_.emplace_back([this] { write_pngs(); });
+  for (int i = 0; i < image_buffers + workers; ++i) free_images_.push(std::make_unique<Image>());
+}
+
+bool Pictures::wants(std::int64_t frame) const {
+  return scene_.output.movie || scene_.output.frames || std::binary_search(stills_.begin(), stills_.end(), frame);
+}
+
+void Pictures::add(Simulation& simulation) {
+  Frame frame = *free_frames_.pop();
+  simulation.fill(frame);
+  frames_.push(std::move(frame));
+}
+
+void Pictures::finish() {
+  end_threads();
+  const std::lock_guard lock(mutex_);
+  if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
+}
+
+// Each stage closes its successors once it has passed on everything, so joining in this order loses nothing.
+void Pictures::end_threads() {
+  frames_.close();
+  if (drawing_.joinable()) drawing_.join();
+  if (encoding_.joinable()) encoding_.join();
+  for (std::thread& worker : png_workers_) worker.join();
+  png_workers_.clear();
+}
+
+void Pictures::fail(std::exception_ptr error) {
+  const std::lock_guard lock(mutex_);
+  if (!error_) error_ = std::move(error);
+  failed_ = true;
+}
+
+void Pictures::draw_frames(const StillLife& still_life, const DeviceChoice& device, std::promise<std::string> ready) {
+  std::unique_ptr<Renderer> renderer;
+  try {
+    renderer = make_renderer(scene_, still_life, device);
+    ready.set_value(renderer->gl_renderer());
+  } catch (...) {
+    ready.set_exception(std::current_exception());
+    return;
+  }
+  bool broken = false;
+  while (std::optional<Frame> frame = frames_.pop()) {
+    try {
+      if (!broken) draw_one(*renderer, *frame);
+    } catch (...) {
+      fail(std::current_exception());
+      broken = true;
+    }
+    free_frames_.push(std::move(*frame));
+  }
+  movie_images_.close();
+  png_jobs_.close();
+}
+
+void Pictures::draw_one(Renderer& renderer, const Frame& frame) {
+  std::unique_ptr<Image> image = std::move(*free_images_.pop());
+  const Stopwatch watch;
+  renderer.draw(frame, *image);
+  {
+    const std::lock_guard lock(mutex_);
+    times_.render += watch.seconds();
+  }
+  ++drawn_;
+  const SharedImage shared(image.release(), [this](const Image* done) {
+    free_images_.push(std::unique_ptr<Image>(const_cast<Image*>(done)));  // ours alone again
+  });
+  if (scene_.output.movie) movie_images_.push(shared);
+  if (scene_.output.frames) png_jobs_.push({shared, frame.time, folder_->frame_file(frame.index)});
+  if (std::binary_search(stills_.begin(), stills_.end(), frame.index)) {
+    png_jobs_.push({shared, frame.time, folder_->still_file(frame.index)});
+  }
+}
+
+void Pictures::encode_movie() {
+  bool broken = false;
+  double seconds = 0;
+  const auto attempt = [&](auto work) {
+    if (broken) return;
+    const Stopwatch watch;
+    try {
+      work();
+    } catch (...) {
+      fail(std::current_exception());
+      broken = true;
+    }
+    seconds += watch.seconds();
+  };
+  while (const std::optional<SharedImage> image = movie_images_.pop()) {
+    attempt([&] { movie_->write(**image); });
+  }
+  attempt([&] { movie_->finish(); });
+  const std::lock_guard lock(mutex_);
+  times_.encode += seconds;
+}
+
+void Pictures::write_pngs() {
+  while (const std::optional<PngJob> job = png_jobs_.pop()) {
+    const Stopwatch watch;
+    try {
+      // Once a stage has failed the run is over; what is queued would only delay its end.
+      if (!failed_) write_png(job->file, *job->image, scene_.render.transparent, provenance_, job->time);
+    } catch (...) {
+      fail(std::current_exception());
+    }
+    const std::lock_guard lock(mutex_);
+    times_.write += watch.seconds();
+  }
+}
+
+}  // namespace weir

@@ -1,0 +1,105 @@
+// Drawing and encoding beside the solver: one thread draws (and owns the GL context), one encodes the movie, some
+// compress PNG files. Frames and images are recycled buffers of fixed number, so a slow stage holds up those before it.
+//
+// A stage that fails keeps emptying its queue without working, so nobody waits for it in vain, and the others finish
+// what they have; the first error reaches the caller in finish().
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "frame/frame.h"
+#include "frame/image.h"
+#include "output/sink.h"
+#include "render/renderer.h"
+#include "run/queue.h"
+#include "run/run_folder.h"
+#include "sph/simulation.h"
+
+namespace weir {
+
+struct PictureTimes {  // s, of work; PNG workers added up
+  double render = 0;
+  double encode = 0;
+  double write = 0;
+};
+
+class Pictures {
+ public:
+  // Starts the drawing thread and makes the renderer on it. Throws DeviceError.
+  Pictures(const Scene& scene, const StillLife& still_life, const DeviceChoice& device);
+  ~Pictures();
+  Pictures(const Pictures&) = delete;
+  Pictures& operator=(const Pictures&) = delete;
+
+  // Starts to write; the folder is there. Throws OutputError.
+  void open(const RunFolder& folder, const Provenance& provenance, int png_workers);
+
+  bool wants(std::int64_t frame) const;
+  // Copies the simulation's frame and queues it; waits while all buffers are in use.
+  void add(Simulation& simulation);
+  // A stage has failed: no picture will be added to what is there.
+  bool failed() const { return failed_; }
+  // Waits until everything is drawn and written. Throws the first error of any stage.
+  void finish();
+
+  std::int64_t drawn() const { return drawn_; }
+  const std::string& gl_renderer() const { return gl_renderer_; }
+  const std::string& encoder() const { return encoder_; }
+  PictureTimes times() const { return times_; }  // after finish()
+
+ private:
+  using SharedImage = std::shared_ptr<const Image>;
+  struct PngJob {
+    SharedImage image;
+    double time = 0;  // s
+    std::filesystem::path file;
+  };
+  // Frames in flight: one being drawn, one waiting, one being filled.
+  static constexpr int frame_buffers = 3;
+  // Images beyond those that the PNG workers hold: one being drawn, one encoded, one waiting.
+  static constexpr int image_buffers = 3;
+
+  void draw_frames(const StillLife& still_life, const DeviceChoice& device, std::promise<std::string> ready);
+  void draw_one(Renderer& renderer, const Frame& frame);
+  void encode_movie();
+  void write_pngs();
+  void fail(std::exception_ptr error);
+  void end_threads();
+
+  const Scene& scene_;
+  std::vector<std::int64_t> stills_;  // frame numbers, ascending
+  const RunFolder* folder_ = nullptr;
+  Provenance provenance_;
+  std::string gl_renderer_;
+  std::string encoder_;
+  std::unique_ptr<MovieSink> movie_;
+
+  // Pools before queues: what a queue still holds returns to its pool.
+  Queue<std::unique_ptr<Image>> free_images_;
+  Queue<Frame> free_frames_;
+  Queue<Frame> frames_;
+  Queue<SharedImage> movie_images_;
+  Queue<PngJob> png_jobs_;
+
+  std::atomic<bool> failed_ = false;
+  std::mutex mutex_;  // of the next two
+  std::exception_ptr error_;
+  PictureTimes times_;
+  std::atomic<std::int64_t> drawn_ = 0;
+
+  std::thread drawing_;
+  std::thread encoding_;
+  std::vector<std::thread> png_workers_;
+};
+
+}  // namespace weir
