@@ -22,8 +22,8 @@ inline constexpr int samples_per_second = 200;
 LinePlot stiffness_figure(const Scene& tower, const ReportOptions& options);
 LinePlot time_step_figure(const Scene& tower, const ReportOptions& options);
 
-// The largest of 1, 2.5, 5 times a power of ten that divides 1 / samples_per_second and is at most a quarter of
-// h / c0 at this stiffness (Pa).
+// The largest of 1, 2.5, 5 times a power of ten that divides 1 / samples_per_second and is at most
+// 0.4 h / c0 at this stiffness (Pa).
 double tower_time_step(const Scene& tower, double stiffness);
 
 // Figure 8.1: nine pictures over the whole duration, and what the log knows of these instants.

@@ -44,7 +44,7 @@ LinePlot empty_figure() {
 double tower_time_step(const Scene& tower, double stiffness) {
   Scene stiff = tower;
   stiff.solver.compressibility = Stiffness{stiffness};
-  const double limit = 0.25 * smoothing_length(stiff) / sound_speed(stiff);
+  const double limit = 0.4 * smoothing_length(stiff) / sound_speed(stiff);
   double dt = 1.0 / samples_per_second;  // 5e-3; then 2.5e-3, 1e-3, 5e-4 ...
   for (int k = 0; dt > limit; ++k) dt /= k % 3 == 1 ? 2.5 : 2;
   return dt;
