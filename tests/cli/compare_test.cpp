@@ -6,7 +6,7 @@
 #include "cli/scene_text.h"
 #include "output/decode.h"
 #include "output/sink.h"
-#include "run/temporary_folder.h"
+#include "pipeline/temporary_folder.h"
 
 namespace weir {
 

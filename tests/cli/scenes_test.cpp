@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/program.h"
-#include "run/temporary_folder.h"
+#include "pipeline/temporary_folder.h"
 
 namespace weir {
 

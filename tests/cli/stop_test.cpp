@@ -10,7 +10,7 @@
 #include "cli/program.h"
 #include "cli/scene_text.h"
 #include "output/decode.h"
-#include "run/temporary_folder.h"
+#include "pipeline/temporary_folder.h"
 
 namespace weir {
 

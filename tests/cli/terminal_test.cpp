@@ -11,7 +11,7 @@
 
 #include "cli/program.h"
 #include "cli/scene_text.h"
-#include "run/temporary_folder.h"
+#include "pipeline/temporary_folder.h"
 
 namespace weir {
 

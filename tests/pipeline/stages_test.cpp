@@ -7,10 +7,10 @@
 #include <numeric>
 
 #include "output/file.h"
-#include "run/fakes.h"
+#include "pipeline/fakes.h"
 #include "run/run.h"
-#include "run/small_scene.h"
-#include "run/temporary_folder.h"
+#include "pipeline/small_scene.h"
+#include "pipeline/temporary_folder.h"
 
 namespace weir {
 

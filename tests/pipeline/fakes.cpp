@@ -1,4 +1,4 @@
-#include "run/fakes.h"
+#include "pipeline/fakes.h"
 
 #include <cmath>
 

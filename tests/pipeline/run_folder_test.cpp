@@ -7,11 +7,11 @@
 
 #include "core/sha256.h"
 #include "output/file.h"
-#include "run/fakes.h"
+#include "pipeline/fakes.h"
 #include "run/run.h"
 #include "run/run_folder.h"
-#include "run/small_scene.h"
-#include "run/temporary_folder.h"
+#include "pipeline/small_scene.h"
+#include "pipeline/temporary_folder.h"
 #include "scene/reader.h"
 
 namespace weir {
