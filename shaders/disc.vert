@@ -22,8 +22,13 @@ flat out vec2 center;       // pixels, from the picture's top left corner
 flat out float disc_radius; // pixels
 flat out vec4 color;
 
-// Below this radius, in pixels, a disc keeps this size and becomes fainter instead, with the same area.
-const float least_radius = 0.7;
+// Below this radius, in pixels, a disc keeps this size and becomes fainter instead, with the same area: the edge of a
+// smaller one turns too sharply within a pixel for the fragment shader's three chords.
+const float least_radius = 1.0;
+
+// Pixels whose centre is half a pixel beyond the disc, across or down, do not touch it; and a little for the rounding of
+// positions to 1/256 pixel.
+const float rim = 0.51;
 
 void main() {
   vec3 seen = particle.xyz - eye;
@@ -38,7 +43,7 @@ void main() {
   color = colors[int(floor(clamp(along, 0.0, 1.0) * 255.0 + 0.5))];
   color.a *= share * share;
 
-  float half_size = disc_radius + 1.0;  // coverage ends less than a pixel beyond the edge
+  float half_size = disc_radius + rim;
   vec2 position = center;
 #ifdef POINTS
   gl_PointSize = 2.0 * half_size;

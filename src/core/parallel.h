@@ -17,7 +17,9 @@ inline std::size_t block_count(std::size_t n) { return (n + block_size - 1) / bl
 template <class Body>
 void parallel_blocks(std::size_t n, int threads, const Body& body) {
   const auto blocks = static_cast<std::ptrdiff_t>(block_count(n));
-#pragma omp parallel for schedule(dynamic, 4) num_threads(threads)
+  // No thread is woken that would find nothing to do.
+  const int team = static_cast<int>(std::clamp<std::ptrdiff_t>(blocks / 4, 1, threads));
+#pragma omp parallel for schedule(dynamic, 2) num_threads(team) if (team > 1)
   for (std::ptrdiff_t b = 0; b < blocks; ++b) {
     const std::size_t begin = static_cast<std::size_t>(b) * block_size;
     body(static_cast<std::size_t>(b), begin, std::min(n, begin + block_size));

@@ -63,16 +63,19 @@ Input open_input(const std::filesystem::path& file) {
   return input;
 }
 
-Scaler bt709_scaler(int width, int height, AVPixelFormat from, AVPixelFormat to) {
+Scaler color_scaler(int width, int height, AVPixelFormat from, AVPixelFormat to, YuvKind yuv) {
   // Accurate rounding and chroma at full horizontal resolution: without them a flat colour is off by several steps.
   constexpr int quality = SWS_BILINEAR | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INP | SWS_FULL_CHR_H_INT | SWS_BITEXACT;
-  Scaler scaler(require(sws_getContext(width, height, from, width, height, to, quality, nullptr, nullptr, nullptr),
-                        "convert colours"));
+  const std::string doing = "convert colours";
+  Scaler scaler(
+      require(sws_getContext(width, height, from, width, height, to, quality, nullptr, nullptr, nullptr), doing));
   const bool to_rgb = to == AV_PIX_FMT_RGB0 || to == AV_PIX_FMT_RGBA;
-  const int* bt709 = sws_getCoefficients(SWS_CS_ITU709);
+  const int* matrix = sws_getCoefficients(yuv.matrix);  // libswscale numbers them as libavutil does
+  const int yuv_is_full = yuv.range == AVCOL_RANGE_JPEG ? 1 : 0;
   constexpr int unity = 1 << 16;
-  require(sws_setColorspaceDetails(scaler.get(), bt709, to_rgb ? 0 : 1, bt709, to_rgb ? 1 : 0, 0, unity, unity),
-          "convert colours by BT.709");
+  require(sws_setColorspaceDetails(scaler.get(), matrix, to_rgb ? yuv_is_full : 1, matrix, to_rgb ? 1 : yuv_is_full, 0,
+                                   unity, unity),
+          doing);
   return scaler;
 }
 

@@ -49,7 +49,11 @@ Input open_input(const std::filesystem::path& file);  // throws OutputError
 // A file's name that libav never takes for a protocol's, whatever it contains.
 std::string url_of(const std::filesystem::path& file);
 
-// The BT.709 conversion between full-range RGB0 and limited-range YUV 4:2:0, either way.
-Scaler bt709_scaler(int width, int height, AVPixelFormat from, AVPixelFormat to);
+// Between full-range RGB and YUV 4:2:0 of the matrix and range given, either way.
+struct YuvKind {
+  AVColorSpace matrix = AVCOL_SPC_BT709;
+  AVColorRange range = AVCOL_RANGE_MPEG;
+};
+Scaler color_scaler(int width, int height, AVPixelFormat from, AVPixelFormat to, YuvKind yuv);
 
 }  // namespace weir::av

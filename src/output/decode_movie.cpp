@@ -106,8 +106,10 @@ class LibavReader final : public MovieReader {
       image.rgba.resize(4 * static_cast<std::size_t>(image.width) * image.height);
     }
     if (!scaler_) {
+      // By the movie's own tags, as every player does.
       const auto format = static_cast<AVPixelFormat>(frame_->format);
-      scaler_ = bt709_scaler(frame_->width, frame_->height, format, AV_PIX_FMT_RGBA);
+      scaler_ = color_scaler(frame_->width, frame_->height, format, AV_PIX_FMT_RGBA,
+                             {.matrix = frame_->colorspace, .range = frame_->color_range});
     }
     std::uint8_t* rows = image.rgba.data();
     const int stride = 4 * image.width;

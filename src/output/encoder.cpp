@@ -15,7 +15,7 @@ namespace weir::av {
 namespace {
 
 // Fixed, not taken from the machine: the bytes of a movie depend on the number of threads.
-constexpr int encoder_threads = 3;
+constexpr int encoder_threads = 4;
 constexpr int lookahead_frames = 10;
 constexpr std::array<std::string_view, 10> x264_presets = {"ultrafast", "superfast", "veryfast", "faster",   "fast",
                                                            "medium",    "slow",      "slower",   "veryslow", "placebo"};

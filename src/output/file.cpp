@@ -33,9 +33,7 @@ const char* way_out(int error) {
 }
 
 int create(const std::filesystem::path& file) {
-  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (descriptor < 0) throw_file_error("write", file);
-  return descriptor;
+  return ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
 }
 
 // False with errno set; a signal or a short write is no failure.
@@ -65,15 +63,15 @@ std::filesystem::path temporary_of(const std::filesystem::path& file) {
 void write_file(const std::filesystem::path& file, std::string_view content) {
   const std::filesystem::path temporary = temporary_of(file);
   const int descriptor = create(temporary);
+  if (descriptor < 0) throw_file_error("write", file);
   const bool written = write_all(descriptor, content);
   int error = written ? 0 : errno;
   if (::close(descriptor) != 0 && written) error = errno;
   if (error == 0 && ::rename(temporary.c_str(), file.c_str()) != 0) error = errno;
-  if (error != 0) {
-    ::unlink(temporary.c_str());
-    errno = error;
-    throw_file_error("write", file);
-  }
+  if (error == 0) return;
+  ::unlink(temporary.c_str());
+  errno = error;
+  throw_file_error("write", file);
 }
 
 std::string read_file(const std::filesystem::path& file) {
@@ -90,7 +88,9 @@ std::string read_file(const std::filesystem::path& file) {
   return content;
 }
 
-GrowingFile::GrowingFile(std::filesystem::path file) : path_(std::move(file)), descriptor_(create(path_)) {}
+GrowingFile::GrowingFile(std::filesystem::path file) : path_(std::move(file)), descriptor_(create(path_)) {
+  if (descriptor_ < 0) throw_file_error("write", path_);
+}
 
 GrowingFile::~GrowingFile() {
   if (descriptor_ >= 0) ::close(descriptor_);

@@ -77,15 +77,21 @@ struct ToJson {
 struct FromJson {
   const Json& json;
 
+  const Json& object(const char* name) const {
+    const Json& value = json.at(name);
+    if (!value.is_object()) throw OutputError(fmt::format("{} is not an object", name));
+    return value;
+  }
+
   template <class T>
   void operator()(const char* name, T& value) const {
     read(json, name, value);
   }
   void operator()(const char* name, Manifest::Particles& particles) const {
-    if (const auto found = json.find(name); found != json.end()) visit_particles(particles, FromJson{*found});
+    if (json.contains(name)) visit_particles(particles, FromJson{object(name)});
   }
   void operator()(const char* name, Manifest::WallTime& time) const {
-    if (const auto found = json.find(name); found != json.end()) visit_wall_time(time, FromJson{*found});
+    if (json.contains(name)) visit_wall_time(time, FromJson{object(name)});
   }
   void operator()(const char* name, std::optional<ExitCode>& exit) const {
     const auto found = json.find(name);

@@ -54,7 +54,8 @@ class LibavSink final : public MovieSink {
         name_(encoder_->codec->name),
         part_(std::make_unique<PartMovie>(part_file(folder, scene), *encoder_, text_of(scene, provenance))),
         part_path_(part_file(folder, scene)),
-        scaler_(bt709_scaler(encoder_->width, encoder_->height, AV_PIX_FMT_RGB0, AV_PIX_FMT_YUV420P)),
+        scaler_(color_scaler(encoder_->width, encoder_->height, AV_PIX_FMT_RGB0, AV_PIX_FMT_YUV420P,
+                             {.matrix = AVCOL_SPC_BT709, .range = AVCOL_RANGE_MPEG})),
         frame_(require(av_frame_alloc(), "hold a picture")),
         packet_(require(av_packet_alloc(), "hold a packet")) {
     frame_->width = encoder_->width;

@@ -28,7 +28,7 @@ void set(GLuint program, const char* name, bool a) {
 }
 
 // Half the size of a disc's point or quad beyond its radius, pixels; as in disc.vert.
-constexpr double rim = 1.0;
+constexpr double rim = 0.51;
 
 }  // namespace
 

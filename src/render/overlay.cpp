@@ -30,7 +30,8 @@ std::array<const char*, 2> name_and_unit(ColorBy by) {
   return {"", ""};
 }
 
-std::string cfl_text(double cfl, bool met) { return fmt::format("CFL {:.3f} {}", cfl, met ? "met" : "not met"); }
+// The mark says it again to whoever does not see the colour.
+std::string cfl_text(double cfl, bool met) { return fmt::format("CFL {:.3f} {}", cfl, met ? "✓" : "✗"); }
 
 // A real minus sign is as wide as a plus and sits at the same height.
 std::string with_minus_sign(std::string text) { return text.starts_with('-') ? "−" + text.substr(1) : text; }

@@ -11,6 +11,7 @@ constexpr int smallest_text = 9;           // pixels; below, DejaVu Sans cannot 
 constexpr double text_per_height = 0.023;  // 25 pixels at 1080
 constexpr double ascent = 0.76;            // of the em: capitals and ascenders of DejaVu Sans
 constexpr double descent = 0.24;
+constexpr double longest_bar = 25;    // em: a longer colour bar says no more
 constexpr double scale_share = 0.16;  // of the picture's width: the longest scale bar
 
 int times(double factor, int size) { return static_cast<int>(std::lround(factor * size)); }
@@ -63,10 +64,9 @@ class Layouter {
     const int top = at_top ? margin_ : height_ - margin_ - height;
     return {left, top, left + width, top + height};
   }
-  bool row_fits() const { return height_ >= 2 * margin_ + row_height(layout_.title_size); }
-  bool two_rows_fit() const {
-    return height_ >= 4 * margin_ + row_height(layout_.title_size) + row_height(layout_.size);
-  }
+  // A row of text takes two lines with its margin; the scene keeps as much.
+  bool row_fits() const { return height_ >= 5 * layout_.size; }
+  bool two_rows_fit() const { return height_ >= 8 * layout_.size; }
 
   void top_row() {
     if (!row_fits()) return;
@@ -109,7 +109,7 @@ class Layouter {
     const int size = layout_.size;
     const int room = height_ - top - bottom - 2 * margin_;
     const int label = measure_(*texts_.quantity, size, false);
-    const int length = std::min(room, std::max(times(0.72, room), label + size));
+    const int length = std::min({room, times(longest_bar, size), std::max(times(0.72, room), label + size)});
     layout_.most_ticks = std::min(7, length / times(2.6, size) + 1);
     if (layout_.most_ticks < 2 || label > length) return 0;
     int widest = 0;

@@ -37,7 +37,8 @@ Estimate estimate(const Scene& scene) {
   result.dt = time_step(scene);
   // Every frame time is landed on, so that each frame takes a whole number of steps.
   const double frame = 1.0 / scene.render.fps;
-  result.steps = static_cast<std::int64_t>(std::ceil(frame / result.dt) * std::ceil(scene.duration / frame - 1e-9));
+  const double steps = std::ceil(frame / result.dt) * std::ceil(scene.duration / frame - 1e-9);
+  result.steps = static_cast<std::int64_t>(std::min(steps, 9e18));  // a step of 1e-300 s is allowed
   result.mass = particle_mass(scene) * static_cast<double>(result.fluid_particles);
   double exact = 0;
   for (const Volume& volume : scene.fluid.volumes) exact += measure(volume.shape, scene.dimension);

@@ -13,21 +13,21 @@ std::string with_unit(double value, const Spec& spec) {
   return unitless ? number_text(value) : fmt::format("{} {}", number_text(value), spec.unit);
 }
 
-// What the range demands of `value`, or an empty text.
+bool looks_like_other_type(const std::string& text) {
+  return text == "true" || text == "false" || parse_number(text).value.has_value();
+}
+
+}  // namespace
+
 std::string range_mistake(double value, const Spec& spec) {
   const Range& range = spec.range;
+  if (!std::isfinite(value)) return "must be finite";
   const bool low = range.above ? value <= range.min : value < range.min;
   if (!low && value <= range.max) return "";
   const std::string at_least = fmt::format("{} {}", range.above ? "above" : "at least", with_unit(range.min, spec));
   if (std::isinf(range.max)) return fmt::format("must be {}, got {}", at_least, number_text(value));
   return fmt::format("must be {} and at most {}, got {}", at_least, with_unit(range.max, spec), number_text(value));
 }
-
-bool looks_like_other_type(const std::string& text) {
-  return text == "true" || text == "false" || parse_number(text).value.has_value();
-}
-
-}  // namespace
 
 std::string content(const Node& node) {
   switch (node.kind) {

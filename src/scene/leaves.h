@@ -105,6 +105,9 @@ class LeafReader {
   int dimension_;
 };
 
+// What the range of `spec` demands of a value that breaks it, or an empty text.
+std::string range_mistake(double value, const Spec& spec);
+
 // What a node holds, for messages: "the text 'abc'", "a list".
 std::string content(const Node& node);
 

@@ -26,7 +26,7 @@ double box_content(const Vec3& size, int dimension) {
   return product;
 }
 
-// Area or volume that the layers of a wall fill; holes and open sides are not taken off.
+// Area or volume that the layers of a wall fill.
 double content(const Tank& tank, int dimension, double thick) {
   return box_content(tank.max - tank.min + 2 * thick, dimension) - box_content(tank.max - tank.min, dimension);
 }
@@ -51,19 +51,21 @@ double bytes_per_particle(const Scene& scene) {
   return state + 2 * index * neighbours;  // the list grows by doubling
 }
 
-double expected_fluid_particles(const Scene& scene) {
-  double sum = 0;
-  for (const Volume& volume : scene.fluid.volumes) sum += std::max(measure(volume.shape, scene.dimension), 0.0);
-  return sum / std::pow(scene.particle_spacing, scene.dimension);
+double expected_particles(const Scene& scene, const Volume& volume) {
+  const double dx = scene.particle_spacing;
+  double count = measure(volume.shape, scene.dimension) / std::pow(dx, scene.dimension);
+  if (std::holds_alternative<Polygon>(volume.shape)) {
+    // A sliver has few particles, but every row of its height is looked at.
+    const Bounds box = shape_bounds(volume.shape, scene.dimension);
+    count = std::max(count, (box.max.y - box.min.y) / dx);
+  }
+  return count;
 }
 
-double expected_wall_particles(const Scene& scene) {
-  double sum = 0;
-  for (const Wall& wall : scene.walls) {
-    const double thick = wall_layers(scene, wall) * scene.particle_spacing;
-    sum += std::visit([&](const auto& each) { return content(each, scene.dimension, thick); }, wall.shape);
-  }
-  return sum / std::pow(scene.particle_spacing, scene.dimension);
+double expected_particles(const Scene& scene, const Wall& wall) {
+  const double thick = wall_layers(scene, wall) * scene.particle_spacing;
+  const double filled = std::visit([&](const auto& each) { return content(each, scene.dimension, thick); }, wall.shape);
+  return filled / std::pow(scene.particle_spacing, scene.dimension);
 }
 
 double available_memory() {

@@ -10,8 +10,8 @@ namespace weir {
 double bytes_per_particle(const Scene& scene);
 
 // From areas and volumes alone; infinite or not a number for absurd sizes.
-double expected_fluid_particles(const Scene& scene);
-double expected_wall_particles(const Scene& scene);
+double expected_particles(const Scene& scene, const Volume& volume);
+double expected_particles(const Scene& scene, const Wall& wall);  // holes and open sides are not taken off
 
 // What this machine can give to a process without swapping, bytes; infinity if it does not say.
 double available_memory();

@@ -11,6 +11,7 @@
 #include "scene/check.h"
 #include "scene/document.h"
 #include "scene/map_reader.h"
+#include "scene/path_set.h"
 #include "scene/text.h"
 
 namespace weir {
@@ -126,12 +127,9 @@ class Reading {
 
   // Rules between fields, where all fields that a rule looks at could be read.
   void add_violations(const Scene& scene) {
-    const std::vector<Mistake> reading = mistakes_;
-    const auto unread = [&](const std::string& path) {
-      return std::any_of(reading.begin(), reading.end(), [&](const Mistake& mistake) {
-        return mistake.path == path || mistake.path.starts_with(path + ".") || path.starts_with(mistake.path + ".");
-      });
-    };
+    PathSet broken;
+    for (const Mistake& mistake : mistakes_) broken.add(mistake.path);
+    const auto unread = [&](const std::string& path) { return broken.touches(path); };
     for (const Violation& violation : check(scene, unread)) {
       mistakes_.push_back(
           {nearest(root_, violation.path).at, violation.path, fmt::format("{} {}", violation.path, violation.message)});

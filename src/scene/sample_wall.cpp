@@ -64,15 +64,22 @@ Axis block_axis(double min, double max, double dx, int layers) {
   return axis;
 }
 
-template <class Keep>
-std::vector<Vec3> product(const std::array<Axis, 3>& axes, Keep keep) {
+// All centres of the grid that are in the wall along at least one axis. A row inside along the other two is not walked
+// through: of a large block only the skin is looked at.
+template <class InWall>
+std::vector<Vec3> product(const std::array<Axis, 3>& axes, InWall in_wall) {
+  std::vector<std::size_t> all;
+  std::vector<std::size_t> skin;
+  for (std::size_t x = 0; x < axes[0].centers.size(); ++x) {
+    all.push_back(x);
+    if (in_wall(axes[0].depths[x])) skin.push_back(x);
+  }
   std::vector<Vec3> points;
   for (std::size_t z = 0; z < axes[2].centers.size(); ++z) {
     for (std::size_t y = 0; y < axes[1].centers.size(); ++y) {
-      for (std::size_t x = 0; x < axes[0].centers.size(); ++x) {
-        if (keep(axes[0].depths[x], axes[1].depths[y], axes[2].depths[z])) {
-          points.emplace_back(axes[0].centers[x], axes[1].centers[y], axes[2].centers[z]);
-        }
+      const bool whole_row = in_wall(axes[1].depths[y]) || in_wall(axes[2].depths[z]);
+      for (const std::size_t x : whole_row ? all : skin) {
+        points.emplace_back(axes[0].centers[x], axes[1].centers[y], axes[2].centers[z]);
       }
     }
   }
@@ -93,7 +100,7 @@ std::vector<Vec3> sample_shape(const Tank& tank, int dimension, double dx, int l
     const auto open = [&](Side side) { return std::find(tank.open.begin(), tank.open.end(), side) != tank.open.end(); };
     axes[static_cast<std::size_t>(axis)] = tank_axis(tank.min[axis], tank.max[axis], dx, layers, open(low), open(high));
   }
-  return product(axes, [](auto x, auto y, auto z) { return x >= 0 || y >= 0 || z >= 0; });
+  return product(axes, [](std::int64_t depth) { return depth >= 0; });
 }
 
 std::vector<Vec3> sample_shape(const Block& block, int dimension, double dx, int layers) {
@@ -101,7 +108,7 @@ std::vector<Vec3> sample_shape(const Block& block, int dimension, double dx, int
   for (int axis = 0; axis < dimension; ++axis) {
     axes[static_cast<std::size_t>(axis)] = block_axis(block.min[axis], block.max[axis], dx, layers);
   }
-  return product(axes, [&](auto x, auto y, auto z) { return x < layers || y < layers || z < layers; });
+  return product(axes, [&](std::int64_t depth) { return depth < layers; });
 }
 
 std::vector<Vec3> sample_shape(const Polyline& line, int, double dx, int layers) {

@@ -72,15 +72,30 @@ std::vector<Vec3> sample_shape(const Ball& ball, int dimension, double dx) {
   return points;
 }
 
+// Row by row between the outline's crossings (even-odd), so that slivers cost their rows and not their bounding box.
 std::vector<Vec3> sample_shape(const Polygon& polygon, int dimension, double dx) {
   const Bounds box = shape_bounds(Shape(polygon), dimension);
-  glm::i64vec3 n(1);
-  for (int axis = 0; axis < 2; ++axis) n[axis] = static_cast<std::int64_t>((box.max[axis] - box.min[axis]) / dx) + 1;
+  const auto rows = static_cast<std::int64_t>((box.max.y - box.min.y) / dx) + 1;
   std::vector<Vec3> points;
-  for_lattice(box.min, n, dx, [&](Vec3 point) {
-    point.z = 0;
-    if (inside_polygon(polygon.points, point)) points.push_back(point);
-  });
+  std::vector<double> crossings;
+  for (std::int64_t row = 0; row < rows; ++row) {
+    const double y = box.min.y + dx * (static_cast<double>(row) + 0.5);
+    crossings.clear();
+    for (std::size_t i = 0; i < polygon.points.size(); ++i) {
+      const Vec3& a = polygon.points[i];
+      const Vec3& b = polygon.points[(i + 1) % polygon.points.size()];
+      if ((a.y > y) != (b.y > y)) crossings.push_back(a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)));
+    }
+    std::sort(crossings.begin(), crossings.end());
+    for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) {
+      auto column = static_cast<std::int64_t>(std::ceil((crossings[k] - box.min.x) / dx - 0.5));
+      for (;; ++column) {
+        const double x = box.min.x + dx * (static_cast<double>(column) + 0.5);
+        if (x >= crossings[k + 1]) break;
+        points.emplace_back(x, y, 0);
+      }
+    }
+  }
   return points;
 }
 

@@ -1,0 +1,11 @@
+// The two kinds of figures, drawn.
+#pragma once
+
+#include "plot/plot.h"
+
+namespace weir::plot {
+
+void draw_lines(const std::filesystem::path& stem, const LinePlot& plot);
+void draw_pictures(const std::filesystem::path& stem, const PictureGrid& grid);
+
+}  // namespace weir::plot

@@ -1,0 +1,32 @@
+#include "output/sha256.h"
+
+#include <gtest/gtest.h>
+
+namespace weir::testing {
+namespace {
+
+// The examples of FIPS 180-4 (published with it by NIST): no block, one block, two blocks.
+TEST(Sha256, GivesThePublishedValues) {
+  EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+            "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+}
+
+// The million letters a of the same examples, in pieces that never end at a block.
+TEST(Sha256, TakesItsInputInPieces) {
+  const std::string piece(625, 'a');
+  Sha256 hash;
+  for (int i = 0; i < 1600; ++i) hash.add(std::as_bytes(std::span(piece)));
+  EXPECT_EQ(hash.hex(), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+TEST(Sha256, StartsAnewAfterEachResult) {
+  Sha256 hash;
+  hash.hex();
+  hash.add(std::as_bytes(std::span(std::string_view("abc"))));
+  EXPECT_EQ(hash.hex(), sha256("abc"));
+}
+
+}  // namespace
+}  // namespace weir::testing
