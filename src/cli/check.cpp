@@ -4,7 +4,7 @@
 #include "cli/scene_options.h"
 #include "cli/terminal.h"
 #include "cli/wall_time.h"
-#include "core/threads.h"
+#include "core/team.h"
 #include "run/run_folder.h"
 #include "run/stopwatch.h"
 #include "scene/check.h"

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "cli/commands.h"
-#include "core/threads.h"
+#include "core/team.h"
 #include "output/sink.h"
 #include "render/renderer.h"
 #include "run/instruction_set.h"

@@ -1,10 +1,11 @@
-// Loops over fixed blocks: which elements share a block never depends on the number of threads, so sums keep their
-// bits.
+// Loops over fixed blocks: which elements share a block never depends on the number of threads, so sums keep their bits.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
 #include <vector>
+
+#include "core/team.h"
 
 namespace weir {
 
@@ -13,25 +14,26 @@ constexpr std::size_t block_size = 256;
 
 inline std::size_t block_count(std::size_t n) { return (n + block_size - 1) / block_size; }
 
-// body(block, begin, end) for each block of 0 .. n, in any order, on `threads` threads. The body must not throw.
+// body(block, begin, end) for each block of 0 .. n, in any order. The body must not throw.
 template <class Body>
-void parallel_blocks(std::size_t n, int threads, const Body& body) {
-  const auto blocks = static_cast<std::ptrdiff_t>(block_count(n));
-  // No thread is woken that would find nothing to do.
-  const int team = static_cast<int>(std::clamp<std::ptrdiff_t>(blocks / 4, 1, threads));
-#pragma omp parallel for schedule(dynamic, 2) num_threads(team) if (team > 1)
-  for (std::ptrdiff_t b = 0; b < blocks; ++b) {
-    const std::size_t begin = static_cast<std::size_t>(b) * block_size;
-    body(static_cast<std::size_t>(b), begin, std::min(n, begin + block_size));
-  }
+void parallel_blocks(std::size_t n, Team& team, const Body& body) {
+  team.for_each(block_count(n), [&](std::size_t b) {
+    const std::size_t begin = b * block_size;
+    body(b, begin, std::min(n, begin + block_size));
+  });
 }
 
 // The blocks' results combined in their order: combine(total, part), part = map(begin, end).
 template <class Result, class Map, class Combine>
-Result parallel_reduce(std::size_t n, int threads, Result total, const Map& map, const Combine& combine) {
-  std::vector<Result> parts(block_count(n), total);
-  parallel_blocks(n, threads, [&](std::size_t b, std::size_t begin, std::size_t end) { parts[b] = map(begin, end); });
-  for (const Result& part : parts) total = combine(total, part);
+Result parallel_reduce(std::size_t n, Team& team, const Result& start, const Map& map, const Combine& combine) {
+  struct Part {
+    Result value;  // a struct of its own, so that Result may be bool
+  };
+  std::vector<Part> parts(block_count(n), Part{start});
+  parallel_blocks(n, team,
+                  [&](std::size_t b, std::size_t begin, std::size_t end) { parts[b].value = map(begin, end); });
+  Result total = start;
+  for (const Part& part : parts) total = combine(total, part.value);
   return total;
 }
 

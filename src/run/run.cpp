@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/sha256.h"
-#include "core/threads.h"
+#include "core/team.h"
 #include "output/file.h"
 #include "output/log.h"
 #include "output/manifest.h"

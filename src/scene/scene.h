@@ -144,18 +144,18 @@ struct Solver {
 
 // One change at a time; what is not set stays as it is.
 struct Settings {
-  std::optional<Vec3> gravity;
-  std::optional<double> viscosity;        // fluid.viscosity.kinematic
-  std::optional<double> surface_tension;  // fluid.surface_tension.coefficient
-  std::optional<double> stiffness;        // solver.stiffness
-  std::optional<double> sound_speed;      // solver.sound_speed
+  std::optional<Vec3> gravity{};
+  std::optional<double> viscosity{};        // fluid.viscosity.kinematic
+  std::optional<double> surface_tension{};  // fluid.surface_tension.coefficient
+  std::optional<double> stiffness{};        // solver.stiffness
+  std::optional<double> sound_speed{};      // solver.sound_speed
 };
 struct TimelineEvent {
   double at = 0;    // s of run time
   double over = 0;  // s; 0: at once, else a linear ramp of this length
-  Settings set;
+  Settings set{};
   bool reset = false;         // particles return to their initial state; settings stay
-  std::optional<bool> pause;  // true: the movie holds; false: goes on
+  std::optional<bool> pause{};  // true: the movie holds; false: goes on
 };
 
 // ---- camera and pictures ------------------------------------------------------------------------------------------
@@ -205,7 +205,7 @@ struct Render {
 
 struct Movie {
   std::string encoder = "auto";      // libav's name; auto: libx264, else what is there
-  int quality = 20;                  // constant rate factor, 0 (lossless) .. 51
+  int quality = 20;                  // constant rate factor, 0 (the best that profile High can) .. 51
   std::string preset = "superfast";  // the encoder's speed preset
 };
 struct Log {

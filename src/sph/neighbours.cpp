@@ -1,15 +1,6 @@
 #include "sph/neighbours.h"
 
-#include <algorithm>
-
-#include "core/parallel.h"
-
 namespace weir {
-
-std::span<const std::int32_t> NeighbourLists::of(std::size_t i) const {
-  const std::uint32_t begin = i % block_size == 0 ? 0 : ends_[i - 1];
-  return {blocks_[i / block_size].data() + begin, ends_[i] - begin};
-}
 
 void NeighbourLists::resize(std::size_t particles) {
   blocks_.resize(block_count(particles));
@@ -37,7 +28,8 @@ void append_near(const Vec<Dim, double>& x_i, const std::vector<Vec<Dim, double>
 }  // namespace
 
 template <int Dim>
-Neighbours<Dim>::Neighbours(const Settings& settings, WallParticles<Dim>& walls) : settings_(settings) {
+Neighbours<Dim>::Neighbours(const Settings& settings, Team& team, WallParticles<Dim>& walls)
+    : settings_(settings), team_(team) {
   const std::vector<std::int32_t> order = wall_grid_.sort(walls.position, settings.support_radius + settings.skin);
   std::vector<Vec<Dim, double>> sorted;
   sorted.reserve(order.size());
@@ -51,7 +43,7 @@ bool Neighbours<Dim>::still_right(const FluidParticles<Dim>& fluid) const {
   // Two particles come closer by at most twice the largest displacement since the lists were made.
   const double limit = 0.25 * settings_.skin * settings_.skin;
   return parallel_reduce(
-      fluid.size(), settings_.threads, true,
+      fluid.size(), team_, true,
       [&](std::size_t begin, std::size_t end) {
         bool near = true;
         for (std::size_t i = begin; i < end; ++i) {
@@ -73,12 +65,12 @@ void Neighbours<Dim>::rebuild(FluidParticles<Dim>& fluid, const WallParticles<Di
   ++rebuilds_;
   const double reach = settings_.support_radius + settings_.skin;
   const bool naive = settings_.search == NeighbourSearch::naive;
-  if (!naive) fluid.reorder(fluid_grid_.sort(fluid.position, reach), settings_.threads);
+  if (!naive) fluid.reorder(fluid_grid_.sort(fluid.position, reach), team_);
   position_at_build_ = fluid.position;
 
   fluid_lists_.resize(fluid.size());
   wall_lists_.resize(fluid.size());
-  parallel_blocks(fluid.size(), settings_.threads, [&](std::size_t b, std::size_t begin, std::size_t end) {
+  parallel_blocks(fluid.size(), team_, [&](std::size_t b, std::size_t begin, std::size_t end) {
     std::vector<std::int32_t>& near_fluid = fluid_lists_.block(b);
     std::vector<std::int32_t>& near_walls = wall_lists_.block(b);
     near_fluid.clear();

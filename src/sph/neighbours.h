@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/parallel.h"
 #include "scene/scene.h"
 #include "sph/cell_grid.h"
 #include "sph/particles.h"
@@ -14,7 +15,10 @@ namespace weir {
 // For each particle of the fluid a list of places in another array, in blocks of `block_size` particles.
 class NeighbourLists {
  public:
-  std::span<const std::int32_t> of(std::size_t i) const;
+  std::span<const std::int32_t> of(std::size_t i) const {
+    const std::uint32_t begin = i % block_size == 0 ? 0 : ends_[i - 1];
+    return {blocks_[i / block_size].data() + begin, ends_[i] - begin};
+  }
 
   void resize(std::size_t particles);
   // Lists are appended in the order of particles within a block; blocks are independent.
@@ -35,10 +39,9 @@ class Neighbours {
     double support_radius = 0;
     double skin = 0;
     NeighbourSearch search = NeighbourSearch::index_sort;
-    int threads = 1;
   };
   // Sorts the walls by space, once.
-  Neighbours(const Settings& settings, WallParticles<Dim>& walls);
+  Neighbours(const Settings& settings, Team& team, WallParticles<Dim>& walls);
 
   // Makes the lists right for the particles' positions. Sorts the particles by space whenever lists are made anew.
   void update(FluidParticles<Dim>& fluid, const WallParticles<Dim>& walls);
@@ -55,6 +58,7 @@ class Neighbours {
   void rebuild(FluidParticles<Dim>& fluid, const WallParticles<Dim>& walls);
 
   Settings settings_;
+  Team& team_;
   CellGrid<Dim> fluid_grid_;
   CellGrid<Dim> wall_grid_;
   NeighbourLists fluid_lists_;

@@ -18,8 +18,8 @@ namespace weir {
 
 template <int Dim, class Pass>
 void visit_pairs(const FluidParticles<Dim>& fluid, const WallParticles<Dim>& walls, const Neighbours<Dim>& neighbours,
-                 int threads, const Pass& pass) {
-  parallel_blocks(fluid.size(), threads, [&](std::size_t, std::size_t begin, std::size_t end) {
+                 Team& team, const Pass& pass) {
+  parallel_blocks(fluid.size(), team, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Vec<Dim, double> x_i = fluid.position[i];
       auto sum = pass.begin(i);

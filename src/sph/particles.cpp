@@ -7,9 +7,9 @@ namespace weir {
 namespace {
 
 template <class T>
-void gather(std::vector<T>& values, const std::vector<std::int32_t>& order, int threads) {
+void gather(std::vector<T>& values, const std::vector<std::int32_t>& order, Team& team) {
   std::vector<T> sorted(values.size());
-  parallel_blocks(values.size(), threads, [&](std::size_t, std::size_t begin, std::size_t end) {
+  parallel_blocks(values.size(), team, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) sorted[k] = values[order[k]];
   });
   values.swap(sorted);
@@ -18,10 +18,10 @@ void gather(std::vector<T>& values, const std::vector<std::int32_t>& order, int 
 }  // namespace
 
 template <int Dim>
-void FluidParticles<Dim>::reorder(const std::vector<std::int32_t>& order, int threads) {
-  gather(position, order, threads);
-  gather(velocity, order, threads);
-  gather(id, order, threads);
+void FluidParticles<Dim>::reorder(const std::vector<std::int32_t>& order, Team& team) {
+  gather(position, order, team);
+  gather(velocity, order, team);
+  gather(id, order, team);
 }
 
 template struct FluidParticles<2>;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/team.h"
 #include "core/types.h"
 
 namespace weir {
@@ -24,7 +25,7 @@ struct FluidParticles {
   std::size_t size() const { return position.size(); }
 
   // The particle order[k] comes to place k. Quantities that every step works out are not carried along.
-  void reorder(const std::vector<std::int32_t>& order, int threads);
+  void reorder(const std::vector<std::int32_t>& order, Team& team);
 };
 
 // Walls do not move and have no state: their particles are positions alone.

@@ -11,7 +11,6 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/sha256.h"
-#include "core/threads.h"
 #include "equations/density.h"
 #include "equations/energy.h"
 #include "equations/state.h"
@@ -49,11 +48,11 @@ class SimulationIn final : public Simulation {
  public:
   SimulationIn(const Scene& scene, int threads)
       : scene_(scene),
-        threads_(thread_count(threads)),
+        team_(thread_count(threads)),
         sampling_(sample(scene)),
         clock_(scene_),
         timeline_(scene_),
-        solver_(scene_, sampling_, threads_) {
+        solver_(scene_, sampling_, team_) {
     follow_timeline();
   }
 
@@ -96,7 +95,7 @@ class SimulationIn final : public Simulation {
     if (by != ColorBy::speed) bring_up_to_date();
     frame.particles.resize(solver_.fluid().size());
     const FluidParticles<Dim>& fluid = solver_.fluid();
-    parallel_blocks(fluid.size(), threads_, [&](std::size_t, std::size_t begin, std::size_t end) {
+    parallel_blocks(fluid.size(), team_, [&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         glm::vec4& shown = frame.particles[fluid.id[i]];
         for (int d = 0; d < 3; ++d) shown[d] = d < Dim ? static_cast<float>(fluid.position[i][d]) : 0.0F;
@@ -139,7 +138,7 @@ class SimulationIn final : public Simulation {
       Vec<Dim, double> momentum{}, center{};
     };
     const Sums sums = parallel_reduce(
-        fluid.size(), threads_, Sums{},
+        fluid.size(), team_, Sums{},
         [&](std::size_t begin, std::size_t end) {
           Sums block;
           for (std::size_t i = begin; i < end; ++i) {
@@ -274,7 +273,7 @@ class SimulationIn final : public Simulation {
   }
 
   const Scene scene_;
-  int threads_;
+  Team team_;
   Sampling sampling_;
   Clock clock_;
   Timeline timeline_;

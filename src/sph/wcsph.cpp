@@ -114,9 +114,9 @@ AnySurfaceTension make_surface_tension(SurfaceTensionModel model, double s) {
 }
 
 template <int Dim>
-double largest_norm(const std::vector<Vec<Dim>>& vectors, int threads) {
+double largest_norm(const std::vector<Vec<Dim>>& vectors, Team& team) {
   const Real square = parallel_reduce(
-      vectors.size(), threads, Real{0},
+      vectors.size(), team, Real{0},
       [&](std::size_t begin, std::size_t end) {
         Real largest = 0;
         for (std::size_t i = begin; i < end; ++i) largest = std::max(largest, dot(vectors[i], vectors[i]));
@@ -135,7 +135,7 @@ typename Wcsph<Dim>::AnyKernel Wcsph<Dim>::make_kernel(KernelName name, double h
 }
 
 template <int Dim>
-Wcsph<Dim>::Wcsph(const Scene& scene, const Sampling& sampling, int threads)
+Wcsph<Dim>::Wcsph(const Scene& scene, const Sampling& sampling, Team& team)
     : h_(weir::smoothing_length(scene)),
       support_radius_(weir::support_radius(scene)),
       dx_(scene.particle_spacing),
@@ -146,18 +146,16 @@ Wcsph<Dim>::Wcsph(const Scene& scene, const Sampling& sampling, int threads)
       viscosity_model_(scene.fluid.viscosity.model),
       surface_tension_model_(scene.fluid.surface_tension.model),
       wall_slip_(scene.solver.wall_slip),
-      threads_(threads),
+      team_(team),
       kernel_(make_kernel(scene.solver.kernel.name, h_)),
       controls_{.gravity = from_scene<Dim, double>(scene.gravity),
                 .stiffness = weir::stiffness(scene),
                 .viscosity = scene.fluid.viscosity.kinematic,
                 .surface_tension = scene.fluid.surface_tension.coefficient},
       walls_(wall_particles<Dim>(sampling)),
-      neighbours_({.support_radius = support_radius_,
-                   .skin = skin_per_dx * dx_,
-                   .search = scene.solver.neighbour_search,
-                   .threads = threads},
-                  walls_) {
+      neighbours_(
+          {.support_radius = support_radius_, .skin = skin_per_dx * dx_, .search = scene.solver.neighbour_search}, team,
+          walls_) {
   reset(sampling);
 }
 
@@ -176,7 +174,7 @@ void Wcsph<Dim>::reset(const Sampling& sampling) {
     fluid_.id[i] = static_cast<std::int32_t>(i);
   }
   neighbours_.forget();
-  max_speed_ = largest_norm<Dim>(fluid_.velocity, threads_);
+  max_speed_ = largest_norm<Dim>(fluid_.velocity, team_);
 }
 
 template <int Dim>
@@ -189,7 +187,7 @@ void Wcsph<Dim>::compute_density() {
   std::visit(
       [&](const auto& kernel) {
         const DensityPass<Dim, std::decay_t<decltype(kernel)>> pass{kernel, static_cast<Real>(mass_), fluid_};
-        visit_pairs<Dim>(fluid_, walls_, neighbours_, threads_, pass);
+        visit_pairs<Dim>(fluid_, walls_, neighbours_, team_, pass);
       },
       kernel_);
 }
@@ -204,7 +202,7 @@ template <int Dim>
 void Wcsph<Dim>::compute_pressure() {
   const auto k = static_cast<Real>(controls_.stiffness);
   const auto rho0 = static_cast<Real>(rest_density_);
-  parallel_blocks(fluid_.size(), threads_, [&](std::size_t, std::size_t begin, std::size_t end) {
+  parallel_blocks(fluid_.size(), team_, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Real rho = fluid_.density[i];
       const Real p = pressure_of_state(rho / rho0, k, exponent_);
@@ -223,7 +221,7 @@ void Wcsph<Dim>::compute_accelerations() {
         const Pass pass{
             kernel, static_cast<Real>(mass_),      static_cast<Real>(rest_density_), convert<Real>(controls_.gravity),
             fluid_, {pressure, viscosity, tension}};
-        visit_pairs<Dim>(fluid_, walls_, neighbours_, threads_, pass);
+        visit_pairs<Dim>(fluid_, walls_, neighbours_, team_, pass);
       },
       kernel_, make_viscosity(viscosity_model_, wall_slip_, controls_.viscosity, h_, Dim),
       make_surface_tension(surface_tension_model_, controls_.surface_tension));
@@ -231,7 +229,7 @@ void Wcsph<Dim>::compute_accelerations() {
 
 template <int Dim>
 double Wcsph<Dim>::max_acceleration() const {
-  return largest_norm<Dim>(fluid_.acceleration, threads_);
+  return largest_norm<Dim>(fluid_.acceleration, team_);
 }
 
 template <int Dim>
@@ -242,7 +240,7 @@ std::optional<Escape> Wcsph<Dim>::integrate(double dt) {
   };
   const auto step = static_cast<Real>(dt);
   const Extremes extremes = parallel_reduce(
-      fluid_.size(), threads_, Extremes{},
+      fluid_.size(), team_, Extremes{},
       [&](std::size_t begin, std::size_t end) {
         Extremes block;
         for (std::size_t i = begin; i < end; ++i) {

@@ -34,7 +34,7 @@ template <int Dim>
 class Wcsph {
  public:
   // The scene must be right; `sampling` are its particles.
-  Wcsph(const Scene& scene, const Sampling& sampling, int threads);
+  Wcsph(const Scene& scene, const Sampling& sampling, Team& team);
 
   // One time step, in the order of the algorithm box; each needs those before it.
   void find_neighbours();
@@ -74,7 +74,7 @@ class Wcsph {
   ViscosityModel viscosity_model_;
   SurfaceTensionModel surface_tension_model_;
   WallSlip wall_slip_;
-  int threads_;
+  Team& team_;
   AnyKernel kernel_;
   Controls<Dim> controls_;
   FluidParticles<Dim> fluid_;

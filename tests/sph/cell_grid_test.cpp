@@ -76,7 +76,9 @@ TYPED_TEST(CellGridOf, PointsOfOneCellKeepTheirOrder) {
   CellGrid<dim> grid;
   const auto order = grid.sort(points, 1);
   for (std::size_t k = 1; k < order.size(); ++k) {
-    if (grid.cell_of(points[order[k]]) == grid.cell_of(points[order[k - 1]])) EXPECT_LT(order[k - 1], order[k]);
+    if (grid.cell_of(points[order[k]]) == grid.cell_of(points[order[k - 1]])) {
+      EXPECT_LT(order[k - 1], order[k]);
+    }
   }
 }
 

@@ -51,8 +51,9 @@ std::vector<std::int32_t> ascending(std::span<const std::int32_t> list) {
 
 template <int Dim>
 void expect_lists_equal_brute_force(FluidParticles<Dim> fluid, WallParticles<Dim> walls, NeighbourSearch search) {
+  Team team(2);
   const double radius = 1;
-  Neighbours<Dim> neighbours({.support_radius = radius, .skin = 0, .search = search, .threads = 2}, walls);
+  Neighbours<Dim> neighbours({.support_radius = radius, .skin = 0, .search = search}, team, walls);
   neighbours.update(fluid, walls);
   for (std::size_t i = 0; i < fluid.size(); ++i) {
     EXPECT_EQ(ascending(neighbours.fluid().of(i)),
@@ -93,8 +94,9 @@ TEST(SeedA, FindsThirteenNineAndFiveNeighboursOnTheLattice) {
   for (const NeighbourSearch search : {NeighbourSearch::index_sort, NeighbourSearch::naive}) {
     for (const auto& [radius, count] : {std::pair{2.1, 13}, std::pair{1.9, 9}, std::pair{1.1, 5}}) {
       auto fluid = fluid_at<2>(lattice);
+      Team team(1);
       WallParticles<2> walls;
-      Neighbours<2> neighbours({.support_radius = radius * h, .skin = 0, .search = search, .threads = 1}, walls);
+      Neighbours<2> neighbours({.support_radius = radius * h, .skin = 0, .search = search}, team, walls);
       neighbours.update(fluid, walls);
       const auto center = std::find(fluid.id.begin(), fluid.id.end(), 5 * 11 + 5) - fluid.id.begin();
       EXPECT_EQ(neighbours.fluid().of(center).size() + 1, count) << radius;
@@ -106,6 +108,7 @@ TEST(SeedA, FindsThirteenNineAndFiveNeighboursOnTheLattice) {
 TYPED_TEST(NeighboursIn, ListsWithASkinNeverMissAPair) {
   constexpr int dim = TypeParam::value;
   auto fluid = fluid_at<dim>(scattered<dim>(400, -3, 3, 8));
+  Team team(2);
   WallParticles<dim> walls{scattered<dim>(100, -3, 3, 9)};
   Neighbours<dim> neighbours({.support_radius = 1, .skin = 0.2, .search = NeighbourSearch::index_sort, .threads = 2},
                              walls);

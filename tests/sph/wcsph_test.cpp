@@ -101,7 +101,8 @@ TYPED_TEST(WcsphIn, DensityAndAccelerationEqualADoublePrecisionBruteForce) {
   scene.fluid.viscosity = {ViscosityModel::morris, 0.01};
   scene.fluid.surface_tension = {SurfaceTensionModel::seed_a, dim == 2 ? 1e-4 : 1e-6};
   const Sampling sampling = shaken(scene, 3);
-  Wcsph<dim> solver(scene, sampling, 2);
+  Team team(2);
+  Wcsph<dim> solver(scene, sampling, team);
   accelerate(solver);
 
   const BruteForce<dim> exact{scene, solver};
@@ -126,6 +127,7 @@ TYPED_TEST(WcsphIn, DensityAndAccelerationEqualADoublePrecisionBruteForce) {
 
 TYPED_TEST(WcsphIn, ConservesMomentumToRoundOff) {
   constexpr int dim = TypeParam::value;
+  Team team(2);
   for (const ViscosityModel model : {ViscosityModel::none, ViscosityModel::morris, ViscosityModel::monaghan}) {
     for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
       Scene scene = free_fluid(dim, dim == 2 ? 30 : 10);
@@ -133,7 +135,7 @@ TYPED_TEST(WcsphIn, ConservesMomentumToRoundOff) {
       scene.fluid.surface_tension = {SurfaceTensionModel::seed_a, 1e-3};
       scene.solver.kernel = {kernel, 1.2};
       scene.solver.negative_pressure = NegativePressure::keep;
-      Wcsph<dim> solver(scene, shaken(scene, 5), 2);
+      Wcsph<dim> solver(scene, shaken(scene, 5), team);
       accelerate(solver);
       const auto n = static_cast<double>(solver.fluid().size());
       double typical = 0;

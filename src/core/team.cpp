@@ -1,0 +1,86 @@
+#include "core/team.h"
+
+#include <sched.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <string_view>
+
+namespace weir {
+
+namespace {
+
+// A helper is worth waking for at least this many turns.
+constexpr std::size_t turns_per_helper = 2;
+
+}  // namespace
+
+int thread_count(int requested) {
+  if (requested > 0) return requested;
+  if (const char* text = std::getenv("OMP_NUM_THREADS")) {
+    const std::string_view view(text);
+    int count = 0;
+    // A list "4,2" means nested loops: the first number is ours.
+    const auto [end, error] = std::from_chars(view.data(), view.data() + view.size(), count);
+    if (error == std::errc() && count > 0 && (end == view.data() + view.size() || *end == ',')) return count;
+  }
+  cpu_set_t allowed;
+  CPU_ZERO(&allowed);
+  if (sched_getaffinity(0, sizeof allowed, &allowed) == 0) return std::max(1, CPU_COUNT(&allowed));
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+Team::Team(int threads) {
+  for (int k = 1; k < threads; ++k) helpers_.emplace_back([this] { help(); });
+}
+
+Team::~Team() {
+  ending_ = true;
+  ++loops_;
+  loops_.notify_all();
+  for (std::thread& helper : helpers_) helper.join();
+}
+
+void Team::run(std::size_t count, Call call, const void* object) {
+  const std::size_t wanted = std::min(helpers_.size(), count / turns_per_helper);
+  if (wanted == 0) {
+    for (std::size_t k = 0; k < count; ++k) call(object, k);
+    return;
+  }
+  call_ = call;
+  object_ = object;
+  count_ = count;
+  next_ = 0;
+  open_ = true;
+  ++loops_;
+  if (wanted == helpers_.size()) {
+    loops_.notify_all();
+  } else {
+    for (std::size_t k = 0; k < wanted; ++k) loops_.notify_one();
+  }
+  take_turns();
+  // A helper first counts itself inside and then looks whether the loop is open; this closes it and then looks for helpers
+  // inside. In that order (sequentially consistent), either it sees the loop closed or it is waited for here.
+  open_ = false;
+  for (int inside = inside_; inside != 0; inside = inside_) inside_.wait(inside);
+}
+
+void Team::take_turns() {
+  for (std::size_t k = next_++; k < count_; k = next_++) call_(object_, k);
+}
+
+void Team::help() {
+  std::uint32_t seen = 0;
+  while (true) {
+    loops_.wait(seen);
+    seen = loops_;
+    if (ending_) return;
+    ++inside_;
+    if (open_) take_turns();
+    --inside_;
+    inside_.notify_one();
+  }
+}
+
+}  // namespace weir

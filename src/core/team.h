@@ -1,0 +1,55 @@
+// Threads that share the work of a loop.
+//
+// Not OpenMP, whose waiting threads spin: beside the threads that draw and encode they would take the very cores that the
+// loop needs (three times slower with the cores shared, measured on two). These wait in the kernel, and a loop that ends
+// before a thread has woken does not wait for it.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <thread>
+#include <vector>
+
+namespace weir {
+
+// `requested` if positive, else OMP_NUM_THREADS, else the processors this process may run on. Results never depend on it.
+int thread_count(int requested);
+
+class Team {
+ public:
+  explicit Team(int threads);  // the caller counts as one
+  ~Team();
+  Team(const Team&) = delete;
+  Team& operator=(const Team&) = delete;
+
+  int size() const { return static_cast<int>(helpers_.size()) + 1; }
+
+  // body(k) for each k of 0 .. count, once, in any order and on any thread; returns when all are done. The body must not
+  // throw, and must not use this team.
+  template <class Body>
+  void for_each(std::size_t count, const Body& body) {
+    run(
+        count, [](const void* object, std::size_t k) { (*static_cast<const Body*>(object))(k); }, &body);
+  }
+
+ private:
+  using Call = void (*)(const void* object, std::size_t k);
+  void run(std::size_t count, Call call, const void* object);
+  void take_turns();
+  void help();
+
+  // The loop under way; written only while it is closed and nobody is inside.
+  Call call_ = nullptr;
+  const void* object_ = nullptr;
+  std::size_t count_ = 0;
+  std::atomic<std::size_t> next_{0};
+
+  std::atomic<bool> open_{false};
+  std::atomic<int> inside_{0};           // helpers that are, or may be, at work on it
+  std::atomic<std::uint32_t> loops_{0};  // counts up to wake helpers
+  std::atomic<bool> ending_{false};
+  std::vector<std::thread> helpers_;
+};
+
+}  // namespace weir

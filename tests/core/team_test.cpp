@@ -1,0 +1,70 @@
+#include "core/team.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <numeric>
+#include <vector>
+
+#include "core/parallel.h"
+
+namespace weir {
+namespace {
+
+TEST(Team, TakesEveryTurnOnce) {
+  for (const int threads : {1, 2, 3, 8}) {
+    Team team(threads);
+    for (const std::size_t count : {0, 1, 2, 3, 17, 1000}) {
+      std::vector<int> turns(count, 0);
+      team.for_each(count, [&](std::size_t k) { ++turns[k]; });
+      EXPECT_EQ(turns, std::vector<int>(count, 1)) << threads << " threads, " << count << " turns";
+    }
+  }
+}
+
+// Helpers of one loop must not leak into the next: each loop's data goes out of scope at once.
+TEST(Team, RunsManyShortLoopsAfterEachOther) {
+  Team team(4);
+  std::size_t total = 0;
+  for (std::size_t loop = 0; loop < 20000; ++loop) {
+    std::vector<std::size_t> turns(8 + loop % 5, 0);
+    team.for_each(turns.size(), [&](std::size_t k) { turns[k] = k + 1; });
+    total += std::accumulate(turns.begin(), turns.end(), std::size_t{0});
+  }
+  EXPECT_EQ(total, 4000 * (36 + 45 + 55 + 66 + 78));
+}
+
+TEST(Team, AReductionHasTheSameBitsForAnySize) {
+  std::vector<double> values(100'000);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = 1.0 / static_cast<double>(i + 1);
+  const auto sum = [&](int threads) {
+    Team team(threads);
+    return parallel_reduce(
+        values.size(), team, 0.0,
+        [&](std::size_t begin, std::size_t end) {
+          return std::accumulate(values.begin() + static_cast<std::ptrdiff_t>(begin),
+                                 values.begin() + static_cast<std::ptrdiff_t>(end), 0.0);
+        },
+        [](double a, double b) { return a + b; });
+  };
+  const double one = sum(1);
+  EXPECT_NEAR(one, 12.090146129863428, 1e-9);  // the harmonic number H_100000
+  for (const int threads : {2, 3, 8}) EXPECT_EQ(sum(threads), one);
+}
+
+TEST(ThreadCount, PrefersTheRequestThenTheEnvironment) {
+  setenv("OMP_NUM_THREADS", "5", 1);
+  EXPECT_EQ(thread_count(3), 3);
+  EXPECT_EQ(thread_count(0), 5);
+  setenv("OMP_NUM_THREADS", "4,2", 1);
+  EXPECT_EQ(thread_count(0), 4);
+  for (const char* nonsense : {"many", "-1", "0", ""}) {
+    setenv("OMP_NUM_THREADS", nonsense, 1);
+    EXPECT_GE(thread_count(0), 1) << nonsense;
+  }
+  unsetenv("OMP_NUM_THREADS");
+  EXPECT_GE(thread_count(0), 1);
+}
+
+}  // namespace
+}  // namespace weir
