@@ -61,6 +61,11 @@ ExitCode main_program(int argc, char** argv) {
   } catch (const CLI::Success& asked) {  // --help, --version
     program.exit(asked);
     return ExitCode::done;
+  } catch (const CLI::RequiredError& error) {
+    const bool unknown = program.get_subcommands().empty() && argc > 1;
+    say_error(unknown ? std::string("no such command: ") + argv[1] : error.what());
+    say("weir --help, or weir COMMAND --help, shows what there is");
+    return ExitCode::usage;
   } catch (const CLI::ParseError& error) {
     say_error(error.what());
     say("weir --help, or weir COMMAND --help, shows what there is");

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <map>
+
 #include "cli/commands.h"
 #include "cli/progress.h"
 #include "cli/scene_options.h"
@@ -17,10 +19,19 @@ struct Options {
   std::vector<std::string> set;
   int threads = 0;
   bool force = false;
-  ProgressStyle progress = ProgressStyle::automatic;
+  std::string progress = "auto";
   std::string max_wall_time;
   std::string device;
 };
+
+const std::map<std::string, ProgressStyle>& progress_styles() {
+  static const std::map<std::string, ProgressStyle> styles{{"auto", ProgressStyle::automatic},
+                                                           {"bar", ProgressStyle::bar},
+                                                           {"lines", ProgressStyle::lines},
+                                                           {"json", ProgressStyle::json},
+                                                           {"none", ProgressStyle::none}};
+  return styles;
+}
 
 ExitCode run_scene(const Options& options) {
   RunOptions run_options;
@@ -31,7 +42,7 @@ ExitCode run_scene(const Options& options) {
   run_options.device = device_choice(options.device);
   run_options.stop = &catch_stop_signals();
 
-  ProgressReport report(options.progress);
+  ProgressReport report(progress_styles().at(options.progress));
   run_options.progress = [&report](const Progress& progress) { report.show(progress); };
   run_options.message = [&report](const std::string& text) { report.say(text); };
 
@@ -52,17 +63,11 @@ void add_run(CLI::App& program, Action& action) {
   add_set(*command, options->set);
   add_threads(*command, options->threads);
   command->add_flag("--force", options->force, "Overwrite another run in the folder");
-  const std::map<std::string, ProgressStyle> styles{{"auto", ProgressStyle::automatic},
-                                                    {"bar", ProgressStyle::bar},
-                                                    {"lines", ProgressStyle::lines},
-                                                    {"json", ProgressStyle::json},
-                                                    {"none", ProgressStyle::none}};
   command
       ->add_option("--progress", options->progress,
                    "auto (a bar on a terminal, else lines), bar, lines, json (an object a line) or none")
       ->type_name("STYLE")
-      ->transform(CLI::Transformer(styles).description(""))
-      ->check(CLI::IsMember(styles).description(""));
+      ->check(CLI::IsMember(&progress_styles()).description(""));
   command
       ->add_option("--max-wall-time", options->max_wall_time, "Stop in good order after this time: 90, 90s, 15m or 2h")
       ->type_name("TIME");

@@ -21,7 +21,7 @@ double parse_wall_time(const std::string& text) {
 
 std::string wall_time_text(double seconds) {
   if (!std::isfinite(seconds)) return "unknown";
-  if (seconds < 10) return fmt::format("{:.1f} s", seconds);
+  if (seconds < 10) return fmt::format("{:.2g} s", seconds);
   const auto whole = static_cast<long long>(std::llround(seconds));
   if (whole < 60) return fmt::format("{} s", whole);
   if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);

@@ -193,6 +193,10 @@ TEST_F(Commands, RefuseWhatIsNotBuiltByName) {
   }
 }
 
+TEST_F(Commands, NameTheCommandThatIsNone) {
+  EXPECT_THAT(weir_program({"fly"}).err, HasSubstr("no such command: fly"));
+}
+
 TEST_F(Commands, TellTheVersion) {
   const Outcome outcome = weir_program({"--version"});
   EXPECT_EQ(outcome.exit, 0);
