@@ -120,11 +120,12 @@ class Figure {
     cairo_save(context);
     cairo_rectangle(context, left_, top_, right_ - left_, bottom_ - top_);
     cairo_clip(context);
-    cairo_set_line_width(context, 1.2);
     cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
     for (std::size_t k = 0; k < plot_.series.size(); ++k) {
       const Series& series = plot_.series[k];
       canvas_.color(series_color(k));
+      // Each is narrower than those below it, so that lines that coincide are all seen.
+      cairo_set_line_width(context, 1.2 + 1.0 * static_cast<double>(plot_.series.size() - 1 - k));
       bool drawing = false;
       for (std::size_t point = 0; point < series.x.size(); ++point) {
         const bool here = drawable(series.x[point], plot_.x) && drawable(series.y[point], plot_.y);
