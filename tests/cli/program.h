@@ -18,9 +18,9 @@ struct Outcome {
 };
 
 struct Surroundings {
-  std::filesystem::path folder;                                  // to start in; empty: that of the test
-  std::vector<std::pair<std::string, std::string>> environment;  // on top of ours
-  std::optional<std::size_t> largest_file;                       // bytes, RLIMIT_FSIZE
+  std::filesystem::path folder{};                                  // to start in; empty: that of the test
+  std::vector<std::pair<std::string, std::string>> environment{};  // on top of ours
+  std::optional<std::size_t> largest_file{};                       // bytes, RLIMIT_FSIZE
 };
 
 // A running weir. Its output goes to files, so it never waits for a reader.
