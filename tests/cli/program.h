@@ -35,8 +35,8 @@ class Program {
   void signal(int number) const;
   bool running();
   Outcome wait();
-  // Whether the text appears on standard error within the time.
-  bool says(const std::string& text);
+  // Whether the text appears on standard error, so many times, before it ends and while we wait.
+  bool says(const std::string& text, int times = 1);
 
  private:
   std::filesystem::path out_file_;
