@@ -14,7 +14,7 @@ R density_contribution(R m_j, R w_ij) {
   return m_j * w_ij;
 }
 
-// Relative deviation from rest, 1. [Hinsch24 ch. 7]
+// Relative deviation from rest, 1. [Hinsch24 ch. 7, error]
 template <class R>
 R density_error(R rho, R rest_density) {
   return rho / rest_density - R(1);

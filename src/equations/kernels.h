@@ -1,10 +1,10 @@
 // Smoothing kernels W(r) and their derivatives.
 //
-// [Hinsch24]   J. Hinsch, A Simple 2D SPH Fluid Solver, University of Freiburg, 2024 (cubic spline after Monaghan
-// 1992). [Wendland95] H. Wendland, Piecewise polynomial, positive definite and compactly supported radial functions of
-// minimal
-//              degree, Adv. Comput. Math. 4 (1995) 389-396; normalised as in W. Dehnen, H. Aly, MNRAS 425 (2012) 1068,
-//              table 1.
+// [Hinsch24]   J. Hinsch, A Simple 2D SPH Fluid Solver, University of Freiburg, 2024: the cubic spline.
+// [Wendland95] H. Wendland, Piecewise polynomial, positive definite and compactly supported radial functions of
+//              minimal degree, Adv. Comput. Math. 4 (1995) 389-396.
+// [Dehnen12]   W. Dehnen, H. Aly, Improving convergence in smoothed particle hydrodynamics simulations without pairing
+//              instability, MNRAS 425 (2012) 1068-1082: the normalisation in 1D, 2D and 3D.
 //
 // Both vanish at q = r/h = 2, smoothly and without a branch: the positive parts do it. The derivative is given as
 // W'(r)/r, so that grad W_ij = (W'/r) x_ij needs no division by r where the kernel allows it; at r = 0 the gradient is
@@ -21,20 +21,20 @@ constexpr double support_per_h = 2;  // support_radius / h, for every kernel her
 // Typical h/dx: 1.0 (seed A) to 1.5.
 template <int Dim>
 struct CubicSpline {
-  // Normalisation, m^-Dim. [Hinsch24 ch. 4.1]
+  // Normalisation, m^-Dim. [Hinsch24 ch. 4.1, alpha]
   static constexpr double alpha(double h) {
     if constexpr (Dim == 1) return 1 / (6 * h);
     if constexpr (Dim == 2) return 5 / (14 * pi * h * h);
     if constexpr (Dim == 3) return 1 / (4 * pi * h * h * h);
   }
-  // W / alpha. [Hinsch24 eq. 4.1]
+  // W / alpha. [Hinsch24 ch. 4.1, W]
   template <class R>
   static R shape(R q) {
     const R a = positive_part(R(2) - q);
     const R b = positive_part(R(1) - q);
     return a * a * a - R(4) * (b * b * b);
   }
-  // (dW/dq) / (alpha q). [Hinsch24 eq. 4.2]
+  // (dW/dq) / (alpha q). [Hinsch24 ch. 4.2, derivative]
   template <class R>
   static R slope_over_q(R q) {
     // Below this the quotient has long reached its limit -12, and x_ij, by which it is multiplied, is zero to rounding.
@@ -48,13 +48,13 @@ struct CubicSpline {
 // Typical h/dx: 1.2 to 2. Stable against pairing at any neighbour number.
 template <int Dim>
 struct WendlandC2 {
-  // Normalisation, m^-Dim. [Wendland95; Dehnen12 tab. 1]
+  // Normalisation, m^-Dim. [Dehnen12, C2 normalisation]
   static constexpr double alpha(double h) {
     if constexpr (Dim == 1) return 5 / (8 * h);
     if constexpr (Dim == 2) return 7 / (4 * pi * h * h);
     if constexpr (Dim == 3) return 21 / (16 * pi * h * h * h);
   }
-  // W / alpha: (1 - q/2)^4 (1 + 2q), in 1D (1 - q/2)^3 (1 + 3q/2). [Wendland95 C2]
+  // W / alpha: (1 - q/2)^4 (1 + 2q), in 1D (1 - q/2)^3 (1 + 3q/2). [Wendland95, C2]
   template <class R>
   static R shape(R q) {
     const R t = positive_part(R(1) - R(0.5) * q);
@@ -62,7 +62,7 @@ struct WendlandC2 {
     const R t2 = t * t;
     return t2 * t2 * (R(1) + R(2) * q);
   }
-  // (dW/dq) / (alpha q): -5 (1 - q/2)^3, in 1D -3 (1 - q/2)^2. [Wendland95 C2 derivative]
+  // (dW/dq) / (alpha q): -5 (1 - q/2)^3, in 1D -3 (1 - q/2)^2. [Wendland95, C2 derivative]
   template <class R>
   static R slope_over_q(R q) {
     const R t = positive_part(R(1) - R(0.5) * q);

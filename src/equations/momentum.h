@@ -4,7 +4,7 @@
 // [Hinsch24]   J. Hinsch, A Simple 2D SPH Fluid Solver, University of Freiburg, 2024.
 // [Morris97]   J. P. Morris, P. J. Fox, Y. Zhu, Modeling low Reynolds number incompressible flows using SPH,
 //              J. Comput. Phys. 136 (1997) 214-226; in the form of [Ihmsen14].
-// [Monaghan05] J. J. Monaghan, Smoothed particle hydrodynamics, Rep. Prog. Phys. 68 (2005) 1703-1759, sec. 4.
+// [Monaghan05] J. J. Monaghan, Smoothed particle hydrodynamics, Rep. Prog. Phys. 68 (2005) 1703-1759.
 // [Ihmsen14]   M. Ihmsen, J. Orthmann, B. Solenthaler, A. Kolb, M. Teschner, SPH fluids in computer graphics,
 //              Eurographics 2014 state of the art reports.
 #pragma once
@@ -13,12 +13,12 @@
 
 namespace weir {
 
-// 0.01 h^2 keeps the quotients of the viscosities finite when two particles meet. [Monaghan05; Morris97]
+// 0.01 h^2 keeps the quotients of the viscosities finite when two particles meet. [Morris97, softening]
 constexpr double viscosity_softening = 0.01;
 
 // The consistent viscosities take the neighbour's volume with the pair's mean density instead of rho_j alone: the
-// forces of a pair are then opposite, and momentum is conserved to round-off; the difference is of second order. V_ij =
-// 2 m_j / (rho_i + rho_j), m^Dim. [Monaghan05 sec. 4, mean density]
+// forces of a pair are then opposite, and momentum is conserved to round-off; the difference is of second order.
+// V_ij = 2 m_j / (rho_i + rho_j), m^Dim. [Monaghan05, mean density]
 template <int Dim, class R>
 R pair_volume(const Pair<Dim, R>& pair) {
   return R(2) * pair.m_j / (pair.rho_i + pair.rho_j);
@@ -44,7 +44,7 @@ struct MorrisViscosity {
   Real two_nu;     // 2 nu, m^2/s
   Real softening;  // viscosity_softening h^2, m^2
 
-  // 2 nu V_ij u_ij (x_ij . grad W_ij) / (r^2 + 0.01 h^2), m/s^2. [Ihmsen14 eq. 8; Morris97]
+  // 2 nu V_ij u_ij (x_ij . grad W_ij) / (r^2 + 0.01 h^2), m/s^2. [Morris97, viscosity]
   template <int Dim, class R>
   Vec<Dim, R> acceleration(const Pair<Dim, R>& pair) const {
     return (R(two_nu) * pair_volume(pair) * (pair.r2 * pair.dw_over_r) / (pair.r2 + R(softening))) * pair.v_ij;
@@ -52,7 +52,7 @@ struct MorrisViscosity {
 };
 
 // What Monaghan's form and the seed's share: (u_ij . x_ij) / (r^2 + softening) grad W_ij, s^-1 m^-Dim.
-// [Monaghan05 sec. 4, kernel]
+// [Monaghan05, central friction]
 template <int Dim, class R>
 Vec<Dim, R> central_friction(const Pair<Dim, R>& pair, R softening) {
   return (dot(pair.v_ij, pair.x_ij) / (pair.r2 + softening) * pair.dw_over_r) * pair.x_ij;
@@ -63,7 +63,7 @@ struct MonaghanViscosity {
   Real factor;     // 2 (Dim + 2) nu, m^2/s
   Real softening;  // viscosity_softening h^2, m^2
 
-  // 2 (Dim + 2) nu V_ij (u_ij . x_ij) / (r^2 + 0.01 h^2) grad W_ij, m/s^2. [Monaghan05 sec. 4]
+  // 2 (Dim + 2) nu V_ij (u_ij . x_ij) / (r^2 + 0.01 h^2) grad W_ij, m/s^2. [Monaghan05, viscosity]
   template <int Dim, class R>
   Vec<Dim, R> acceleration(const Pair<Dim, R>& pair) const {
     return (R(factor) * pair_volume(pair)) * central_friction(pair, R(softening));

@@ -12,24 +12,25 @@
 
 namespace weir {
 
-// p, Pa, at rho / rho0 = `ratio`: Tait's equation for exponent 7, the linear one for exponent 1. [Hinsch24 eq. 4.4b]
+// p, Pa, at rho / rho0 = `ratio`: Tait's equation for exponent 7, the linear one for exponent 1.
+// [Hinsch24 ch. 4.4, Tait]
 template <class R>
 R pressure_of_state(R ratio, R k, int exponent) {
   return k * (integer_power(ratio, exponent) - R(1));
 }
 
-// p_i / rho_i^2, the form in which the momentum equation takes it. [Hinsch24 Alg. 1, factor]
+// p_i / rho_i^2, the form in which the momentum equation takes it. [Hinsch24 Alg. 1, p/rho^2]
 template <class R>
 R pressure_over_density_squared(R p, R rho) {
   return p / (rho * rho);
 }
 
-// c0 = sqrt(dp/drho at rho0) = sqrt(exponent k / rho0), m/s. [Cole48, linearised]
+// c0 = sqrt(dp/drho at rho0) = sqrt(exponent k / rho0), m/s. [Cole48, sound speed]
 inline double sound_speed_of_state(double k, int exponent, double rest_density) {
   return std::sqrt(exponent * k / rest_density);
 }
 
-// The inverse: k, Pa. [Cole48, linearised, inverse]
+// The inverse: k, Pa. [Cole48, stiffness]
 inline double stiffness_of_state(double c0, int exponent, double rest_density) {
   return rest_density * c0 * c0 / exponent;
 }

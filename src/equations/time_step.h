@@ -1,8 +1,9 @@
 // How long a time step may be, and the step itself.
 //
 // [Hinsch24]   J. Hinsch, A Simple 2D SPH Fluid Solver, University of Freiburg, 2024.
-// [Monaghan92] J. J. Monaghan, Smoothed particle hydrodynamics, Annu. Rev. Astron. Astrophys. 30 (1992) 543-574,
-// sec. 10. [Morris97]   J. P. Morris, P. J. Fox, Y. Zhu, J. Comput. Phys. 136 (1997) 214-226.
+// [Monaghan92] J. J. Monaghan, Smoothed particle hydrodynamics, Annu. Rev. Astron. Astrophys. 30 (1992) 543-574.
+// [Morris97]   J. P. Morris, P. J. Fox, Y. Zhu, Modeling low Reynolds number incompressible flows using SPH,
+//              J. Comput. Phys. 136 (1997) 214-226.
 #pragma once
 
 #include <cmath>
@@ -12,19 +13,19 @@
 namespace weir {
 
 // The share of its smoothing length that the fastest particle crosses in dt, 1; seed A's indicator is green while it is
-// at most lambda. [Hinsch24 ch. 6.6.2]
+// at most lambda. [Hinsch24 ch. 6.6.2, CFL]
 inline double cfl_number(double dt, double v_max, double h) { return dt * v_max / h; }
 
-// dt <= lambda h / v_max, s. [Hinsch24 ch. 6.6.2, solved for dt]
+// dt <= lambda h / v_max, s. [Hinsch24 ch. 6.6.2, dt]
 inline double velocity_limit(double lambda, double h, double v_max) { return lambda * h / v_max; }
 
-// dt <= factor h / (c0 + v_max), s: sound may not outrun the kernel. [Monaghan92 sec. 10.3]
+// dt <= factor h / (c0 + v_max), s: sound may not outrun the kernel. [Monaghan92, sound]
 inline double acoustic_limit(double factor, double h, double c0, double v_max) { return factor * h / (c0 + v_max); }
 
-// dt <= factor sqrt(h / a_max), s. [Monaghan92 sec. 10.3, force]
+// dt <= factor sqrt(h / a_max), s. [Monaghan92, force]
 inline double force_limit(double factor, double h, double a_max) { return factor * std::sqrt(h / a_max); }
 
-// dt <= factor h^2 / nu, s. [Morris97 eq. 19]
+// dt <= factor h^2 / nu, s. [Morris97, time step]
 inline double viscous_limit(double factor, double h, double nu) { return factor * h * h / nu; }
 
 // Euler-Cromer: velocity first, then position with the new velocity. [Hinsch24 Alg. 3]

@@ -32,7 +32,8 @@ Surface surface_of(const Image& image) {
       const std::uint32_t alpha = from[3];
       const auto premultiplied = [&](int channel) { return (from[channel] * alpha + 127) / 255; };
       const std::uint32_t word = alpha << 24 | premultiplied(0) << 16 | premultiplied(1) << 8 | premultiplied(2);
-      std::memcpy(data + static_cast<std::ptrdiff_t>(y) * stride + 4 * x, &word, sizeof word);
+      std::memcpy(data + static_cast<std::ptrdiff_t>(y) * stride + 4 * static_cast<std::ptrdiff_t>(x), &word,
+                  sizeof word);
     }
   cairo_surface_mark_dirty(surface.get());
   return surface;
@@ -61,8 +62,9 @@ void draw_pictures(const std::filesystem::path& stem, const PictureGrid& grid) {
     canvas.color(ink);
     canvas.text(margin, 14, grid.title, title_size);
     for (int k = 0; k < count; ++k) {
+      const int row = k / columns;
       const double x = margin + (k % columns) * (cell_width + gap);
-      const double y = top + (k / columns) * (cell_height + caption_height);
+      const double y = top + row * (cell_height + caption_height);
       cairo_save(context);
       cairo_translate(context, x, y);
       cairo_scale(context, cell_width / first.width, cell_width / first.width);

@@ -25,7 +25,7 @@ std::string power_of_ten(int exponent) {
 // digits * 10^exponent with the digits given.
 std::string scientific(const std::string& digits, int exponent) {
   if (digits == "0") return digits;
-  const std::string power = power_of_ten(exponent);
+  std::string power = power_of_ten(exponent);
   if (digits == "1") return power;
   return digits == "-1" ? "−" + power : digits + "·" + power;
 }

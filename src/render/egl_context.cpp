@@ -100,7 +100,10 @@ std::vector<EglContext::Candidate> EglContext::candidates(std::vector<DeviceTria
                      EGL_PLATFORM_DEVICE_EXT, devices[k], false});
     }
   } else {
-    trials.push_back({"EGL devices", false, "the EGL library cannot list devices (EGL_EXT_device_enumeration)"});
+    trials.push_back(
+        {"EGL devices", false,
+         "the EGL library cannot list devices (EGL_EXT_device_enumeration), as without any driver; Mesa's is "
+         "libegl-mesa0"});
   }
   if (has_extension(client, "EGL_MESA_platform_surfaceless"))
     all.push_back({"Mesa without surface", EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, false});
@@ -114,7 +117,7 @@ std::unique_ptr<EglContext> EglContext::try_candidate(const Candidate& candidate
     trial.detail = egl_failure(call, eglGetError());
     return nullptr;
   };
-  const EGLDisplay display = eglGetPlatformDisplayEXT(candidate.platform, candidate.native, nullptr);
+  EGLDisplay display = eglGetPlatformDisplayEXT(candidate.platform, candidate.native, nullptr);
   if (display == EGL_NO_DISPLAY) return refuse("eglGetPlatformDisplayEXT");
   // Displays are never terminated: asking for the same device again gives the same display, and eglTerminate would end
   // it for every renderer of this process.
@@ -149,7 +152,7 @@ std::unique_ptr<EglContext> EglContext::try_candidate(const Candidate& candidate
       EGL_CONTEXT_OPENGL_PROFILE_MASK,
       EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,  // Mesa gives versions above 3.1 in core only
       EGL_NONE};
-  const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes.data());
+  EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes.data());
   if (context == EGL_NO_CONTEXT) return refuse("eglCreateContext");
   std::unique_ptr<EglContext> opened(new EglContext(display, context));
   if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) return refuse("eglMakeCurrent");

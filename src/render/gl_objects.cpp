@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <stdexcept>
+#include "core/error.h"
 
 namespace weir {
 
@@ -30,7 +30,7 @@ void compile(GLuint program, GLenum stage, const std::string& source, const std:
     glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), &length, log.data());
     log.resize(length);
     glDeleteShader(shader);
-    throw std::runtime_error(fmt::format("a shader does not compile on this driver:\n{}", log));
+    throw DeviceError(fmt::format("a shader does not compile on this driver:\n{}", log));
   }
   glAttachShader(program, shader);
   glDeleteShader(shader);  // lives on while it is attached
@@ -62,7 +62,7 @@ GlProgram build_program(const std::string& vertex_source, const std::string& fra
     GLsizei length = 0;
     glGetProgramInfoLog(program.id(), static_cast<GLsizei>(log.size()), &length, log.data());
     log.resize(length);
-    throw std::runtime_error(fmt::format("the shaders do not link on this driver:\n{}", log));
+    throw DeviceError(fmt::format("the shaders do not link on this driver:\n{}", log));
   }
   return program;
 }
@@ -72,8 +72,16 @@ RenderTarget::RenderTarget(int width, int height) {
   glNamedFramebufferRenderbuffer(framebuffer_.id(), GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_.id());
   const GLenum status = glCheckNamedFramebufferStatus(framebuffer_.id(), GL_DRAW_FRAMEBUFFER);
   if (status != GL_FRAMEBUFFER_COMPLETE)
-    throw std::runtime_error(fmt::format(
-        "the driver cannot draw a picture of {} x {} pixels (framebuffer status 0x{:04x})", width, height, status));
+    throw DeviceError(fmt::format("the driver cannot draw a picture of {} x {} pixels (framebuffer status 0x{:04x})",
+                                  width, height, status));
+}
+
+void check_drawn() {
+  const GLenum error = glGetError();
+  if (error == GL_NO_ERROR) return;
+  throw DeviceError(error == GL_OUT_OF_MEMORY
+                        ? std::string("drawing failed with GL_OUT_OF_MEMORY: make the picture smaller")
+                        : fmt::format("drawing failed with OpenGL error 0x{:04x}", error));
 }
 
 }  // namespace weir

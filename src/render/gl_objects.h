@@ -53,11 +53,14 @@ using GlFramebuffer = GlObject<FramebufferTraits>;
 using GlRenderbuffer = GlObject<RenderbufferTraits>;
 using GlProgram = GlObject<ProgramTraits>;
 
-// `defines` stand behind the #version line of both stages. Throws std::runtime_error with the compiler's log.
+// `defines` stand behind the #version line of both stages. Throws DeviceError with the compiler's log.
 GlProgram build_program(const std::string& vertex_source, const std::string& fragment_source,
                         const std::string& defines);
 
-// A picture to draw into: 8 bits a channel, no depth.
+// Throws DeviceError if any call since the last check went wrong.
+void check_drawn();
+
+// A picture to draw into: 8 bits a channel, no depth. Throws DeviceError if the driver cannot.
 class RenderTarget {
  public:
   RenderTarget(int width, int height);

@@ -107,6 +107,7 @@ void GlRenderer::read_back(Image& image) const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, drawing_->picture.framebuffer());
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+  check_drawn();
   if (transparent_) straighten(image.rgba);
 }
 

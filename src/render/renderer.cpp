@@ -37,7 +37,11 @@ std::unique_ptr<Renderer> make_renderer(const Scene& scene, const StillLife& sti
 
 std::vector<DeviceTrial> list_devices() {
   std::vector<DeviceTrial> devices;
-  render_function<void(std::vector<DeviceTrial>&)>("weir_list_devices")(devices);
+  try {
+    render_function<void(std::vector<DeviceTrial>&)>("weir_list_devices")(devices);
+  } catch (const DeviceError& error) {
+    devices.push_back({"module weir_render", false, error.what()});
+  }
   return devices;
 }
 

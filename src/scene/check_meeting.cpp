@@ -106,6 +106,7 @@ class Meeting {
       const bool boxes = std::holds_alternative<Box>(shape) && std::holds_alternative<Box>(other_shape);
       if (boxes || any_inside(samples_[index], other_shape) || any_inside(samples_[other], shape)) met.push_back(other);
     }
+    if (samples_.size() == 1) return;
     for (const Vec3& point : samples_[index]) {
       fluid_.any_near(point, too_near * dx_, [&](std::int32_t label, const Vec3&) {
         if (std::find(met.begin(), met.end(), static_cast<std::size_t>(label)) == met.end()) {

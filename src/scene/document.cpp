@@ -99,7 +99,8 @@ class Builder : public YAML::EventHandler {
   bool key_expected() const { return !open_.empty() && open_.back().kind == Node::Kind::map && !has_key_; }
 
   void start(Node::Kind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
-    if (key_expected()) throw SyntaxError{positions_.at(mark), "a key must be a name, not a list or map"};
+    if (key_expected())
+      throw SyntaxError{positions_.at(mark), "a key must be a name, not a list or map; is a bracket left open?"};
     if (open_.size() >= max_depth) {
       throw SyntaxError{positions_.at(mark), fmt::format("nested deeper than {} levels", max_depth)};
     }

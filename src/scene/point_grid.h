@@ -18,6 +18,7 @@ class PointGrid {
   void add(const Vec3& point, std::int32_t label) {
     next_.push_back(-1);
     points_.push_back(point);
+    flat_ = flat_ && point.z == 0;
     labels_.push_back(label);
     const auto index = static_cast<std::int32_t>(points_.size() - 1);
     const auto [place, fresh] = heads_.try_emplace(key(cell(point)), index);
@@ -30,7 +31,8 @@ class PointGrid {
   template <class Visit>
   bool any_near(const Vec3& point, double distance, Visit visit) const {
     const glm::i64vec3 home = cell(point);
-    for (std::int64_t z = -1; z <= 1; ++z) {
+    const std::int64_t reach_z = flat_ && point.z == 0 ? 0 : 1;
+    for (std::int64_t z = -reach_z; z <= reach_z; ++z) {
       for (std::int64_t y = -1; y <= 1; ++y) {
         for (std::int64_t x = -1; x <= 1; ++x) {
           const auto found = heads_.find(key(home + glm::i64vec3(x, y, z)));
@@ -59,6 +61,7 @@ class PointGrid {
   }
 
   double cell_;
+  bool flat_ = true;  // all points in the plane z = 0: a 2D scene
   std::vector<Vec3> points_;
   std::vector<std::int32_t> labels_;
   std::vector<std::int32_t> next_;  // of the same cell; -1: last

@@ -131,9 +131,18 @@ class Reading {
     for (const Mistake& mistake : mistakes_) broken.add(mistake.path);
     const auto unread = [&](const std::string& path) { return broken.touches(path); };
     for (const Violation& violation : check(scene, unread)) {
-      mistakes_.push_back(
-          {nearest(root_, violation.path).at, violation.path, fmt::format("{} {}", violation.path, violation.message)});
+      mistakes_.push_back({blamed(nearest(root_, violation.path)), violation.path,
+                           fmt::format("{} {}", violation.path, violation.message)});
     }
+  }
+
+  // A rule that is broken where an option changed something is the option's doing.
+  static Position blamed(const Node& node) {
+    if (node.at.option >= 0) return node.at;
+    for (const Node& each : node.children) {
+      if (const Position at = blamed(each); at.option >= 0) return at;
+    }
+    return node.at;
   }
 
   [[noreturn]] void fail() {

@@ -211,10 +211,11 @@ TEST_F(Movie, IsTheSameBytesForTheSamePictures) {
   EXPECT_TRUE(first == second);
 }
 
-TEST_F(Movie, NamesItsSceneButNotTheTimeOfDay) {
+TEST_F(Movie, NamesItsSceneButNeitherTheTimeOfDayNorTheMuxer) {
   const std::string bytes = content_of(write_numbered(movie_scene(64, 48, 10), 2));
   EXPECT_THAT(bytes, HasSubstr("weir 1.2.3, scene SHA-256 " + std::string(64, 'a')));
   EXPECT_THAT(bytes, HasSubstr("A wave"));
+  EXPECT_EQ(bytes.find("Lavf"), std::string::npos);
   const std::size_t mvhd = bytes.find("mvhd");
   ASSERT_NE(mvhd, std::string::npos);
   EXPECT_EQ(bytes.substr(mvhd + 8, 8), std::string(8, '\0'));  // creation and modification time

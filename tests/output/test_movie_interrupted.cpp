@@ -81,11 +81,13 @@ TEST_F(Interrupted, AFullDiskIsToldAndWhatWasWrittenPlays) {
   int written = 0;
   {
     const auto sink = make_movie_sink(folder, movie_scene(64, 48, 10), provenance());
-    const FileSizeLimit limit(6000);
-    text = error_text<OutputError>([&] {
-      for (; written < 1000; ++written) sink->write(numbered(64, 48, written));
-    });
-    // The disk stays full: later pictures are told, too, and never leave a gap.
+    {
+      const FileSizeLimit limit(6000);
+      text = error_text<OutputError>([&] {
+        for (; written < 1000; ++written) sink->write(numbered(64, 48, written));
+      });
+    }
+    // Even with room again nothing more is written: a fragment is missing.
     EXPECT_THROW(
         {
           for (int k = 0; k < 20; ++k) sink->write(numbered(64, 48, written));

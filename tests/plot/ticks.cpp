@@ -9,6 +9,7 @@ namespace {
 
 std::vector<std::string> labels(const std::vector<AxisTick>& ticks) {
   std::vector<std::string> texts;
+  texts.reserve(ticks.size());
   for (const AxisTick& tick : ticks) texts.push_back(tick.label);
   return texts;
 }

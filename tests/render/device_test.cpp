@@ -100,6 +100,17 @@ TEST_F(DeviceFailure, OfTheSoftwareDeviceWhenItIsAnotherRenderer) {
               AnyOf(HasSubstr("not Mesa's llvmpipe"), HasSubstr("eglCreateContext failed")));
 }
 
+TEST(Device, APictureBeyondTheDriverIsADeviceError) {
+  Still still = blank(1);
+  still.scene.render.size = {1000000, 2};
+  try {
+    make_renderer(still.scene, still.still_life, {"software"});
+    FAIL();
+  } catch (const DeviceError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("1000000 x 2"));
+  }
+}
+
 TEST(DeviceTrials, NameTheErrorOfEgl) {
   EXPECT_EQ(egl_error_name(0x3001), "EGL_NOT_INITIALIZED");  // EGL 1.5, table 3.1
   EXPECT_EQ(egl_error_name(0x3009), "EGL_BAD_MATCH");

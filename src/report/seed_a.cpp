@@ -1,0 +1,41 @@
+#include "report/seed_a.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "core/error.h"
+#include "report/scenes.h"
+
+namespace weir {
+
+namespace {
+
+// s; by then the oscillations that the figures are about have died down.
+constexpr double shown = 2;
+
+}  // namespace
+
+void report_seed_a(const ReportOptions& options) {
+  ReportOptions checked = options;
+  if (!checked.message) checked.message = [](const std::string&) {};
+  const std::filesystem::path& folder = options.folder;
+
+  write_plot(folder / "figure_4_1", kernel_figure());
+  write_plot(folder / "figure_4_2", kernel_derivative_figure());
+  Scene tower = shipped_tower();
+  tower.duration = std::min(tower.duration, shown);
+  write_plot(folder / "figure_7_2", stiffness_figure(tower, checked));
+  write_plot(folder / "figure_7_3", time_step_figure(tower, checked));
+
+  const Stills stills = stills_figure(shipped_dam_break(), checked);
+  write_plot(folder / "figure_8_1", stills.grid);
+  const std::filesystem::path csv = folder / "figure_8_1.csv";
+  std::ofstream out(csv, std::ios::binary);
+  out << stills.csv;
+  out.close();
+  if (!out) throw OutputError(fmt::format("cannot write {}", csv.string()));
+}
+
+}  // namespace weir

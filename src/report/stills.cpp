@@ -1,0 +1,70 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+
+#include "report/seed_a.h"
+#include "scene/names.h"
+#include "sph/simulation.h"
+
+namespace weir {
+
+namespace {
+
+constexpr int count = 9;
+constexpr int width = 640;  // pixels of one still; the height follows from the scene's picture
+
+std::string_view unit(ColorBy quantity) {
+  switch (quantity) {
+    case ColorBy::speed:
+      return "m/s";
+    case ColorBy::density:
+      return "kg/m³";
+    case ColorBy::pressure:
+      return "Pa";
+  }
+  return "";
+}
+
+std::string title(const Scene& scene, const StillLife& still_life, std::int64_t particles) {
+  const auto range = color_range(scene, still_life);
+  const Coloring& color = scene.render.color;
+  return fmt::format("{}: {} particles, coloured by {} from {:.4g} to {:.4g} {} ({})", scene.title, particles,
+                     name_of(color.by), range[0], range[1], unit(color.by), name_of(color.map));
+}
+
+}  // namespace
+
+Stills stills_figure(const Scene& dam_break, const ReportOptions& options) {
+  Scene scene = dam_break;
+  scene.render.size = {width, 2 * (width * dam_break.render.size[1] / dam_break.render.size[0] / 2)};
+  scene.render.overlay.clear();  // the captions and the title say it once
+  const std::int64_t last = last_frame(scene);
+  std::set<std::int64_t> wanted;
+  for (int k = 0; k < count; ++k) wanted.insert((2 * k * last + count - 1) / (2 * (count - 1)));
+
+  const std::unique_ptr<Simulation> simulation = make_simulation(scene, options.threads);
+  const StillLife still_life = simulation->still_life();
+  const std::unique_ptr<Renderer> renderer = make_renderer(scene, still_life, options.device);
+  Stills stills;
+  stills.grid.title = title(scene, still_life, simulation->fluid_particles());
+  stills.csv = "time[s],max_speed[m/s],mean_density_error[1],kinetic_energy[J],potential_energy[J]\n";
+  Frame frame;
+  while (true) {
+    if (wanted.contains(simulation->frame_index())) {
+      simulation->fill(frame);
+      Picture picture;
+      renderer->draw(frame, picture.image);
+      picture.caption = fmt::format("t = {:.3f} s", frame.time);
+      options.message(fmt::format("figure 8.1: {}", picture.caption));
+      stills.grid.pictures.push_back(std::move(picture));
+      const Diagnostics now = simulation->diagnostics();
+      stills.csv += fmt::format("{},{},{},{},{}\n", now.time, now.max_speed, now.mean_density_error, now.kinetic_energy,
+                                now.potential_energy);
+    }
+    if (simulation->finished() || simulation->frame_index() == last) return stills;
+    simulation->step();
+  }
+}
+
+}  // namespace weir
