@@ -99,8 +99,10 @@ TEST_F(Stages, HoldTheSolverWhenTheEncoderIsSlow) {
 }
 
 TEST_F(Stages, OverlapWithEachOther) {
-  const auto long_enough = std::chrono::milliseconds(4);
-  run_with({.step_time = long_enough, .draw_time = 2 * long_enough, .encode_time = 2 * long_enough});
+  // The solver needs 8 ms a frame, so that drawing and encoding always have a frame to go on with.
+  run_with({.step_time = std::chrono::milliseconds(2),
+            .draw_time = std::chrono::milliseconds(12),
+            .encode_time = std::chrono::milliseconds(12)});
   EXPECT_EQ(record().most_at_once, 3);  // a step, a drawing and an encoding at one moment
 }
 
