@@ -7,13 +7,10 @@
 #include "cli/scene_options.h"
 #include "cli/terminal.h"
 #include "render/renderer.h"
-#ifdef WEIR_HAS_REPORT
 #include "report/report.h"
-#endif
 
 namespace weir {
 
-#ifdef WEIR_HAS_REPORT
 namespace {
 
 const std::map<std::string, void (*)(const ReportOptions&)>& reports() {
@@ -54,11 +51,5 @@ void add_report(CLI::App& program, Action& action) {
   add_gl_device(*command, options->device);
   command->callback([&action, options] { action = [options] { return write_report(*options); }; });
 }
-#else
-void add_report(CLI::App& program, Action& action) {
-  CLI::App* command = program.add_subcommand("report")->group("")->allow_extras();
-  command->callback([&action] { action = []() -> ExitCode { throw UsageError("weir report is not built yet"); }; });
-}
-#endif
 
 }  // namespace weir

@@ -131,8 +131,8 @@ void Session::note(ExitCode exit, const std::string& message) {
   if (exit_ == ExitCode::done) {
     exit_ = exit;
     message_ = message;
-  } else {
-    message_ += "\n" + message;  // a consequence of the first, or a second trouble: both are told
+  } else if (message_.find(message) == std::string::npos) {  // the same disk is full for every file
+    message_ += "\n" + message;
   }
 }
 

@@ -218,7 +218,7 @@ TEST_F(Commands, ManPageAndCompletionsKnowEveryCommandAndOption) {
   EXPECT_THAT(help.out, HasSubstr("weir run scenes/dam_break.yaml"));
 
   std::set<std::string> words;
-  for (const char* command : {"run", "check", "batch", "compare", "info", "schema"}) {
+  for (const char* command : {"run", "check", "batch", "compare", "report", "info", "schema"}) {
     EXPECT_THAT(help.out, HasSubstr(std::string("  ") + command + " "));
     words.insert(command);
     const Outcome of_command = weir_program({command, "--help"});

@@ -55,8 +55,8 @@ TEST_F(Compare, CountsWhatDiffers) {
   EXPECT_EQ(outcome.exit, 1);
   EXPECT_THAT(outcome.out, HasSubstr(" 5 % of the pixels over 0/255"));
   EXPECT_THAT(outcome.out, HasSubstr("largest difference 20/255"));
-  EXPECT_THAT(outcome.out, HasSubstr("mean 0.25/255"));  // 5 * 20 / 400
-  EXPECT_THAT(outcome.out, HasSubstr("PSNR 41.1 dB"));   // 10 log10(255^2 / (5 * 400 / 400))
+  EXPECT_THAT(outcome.out, HasSubstr("mean 0.333/255"));  // 5 * 20 / 300: opaque pictures have three channels
+  EXPECT_THAT(outcome.out, HasSubstr("PSNR 39.9 dB"));    // 10 log10(255^2 / (5 * 20^2 / 300))
   EXPECT_THAT(outcome.out, HasSubstr("\ndifferent\n"));
 }
 

@@ -105,11 +105,14 @@ Outcome Program::wait() {
   return outcome;
 }
 
-bool Program::says(const std::string& text) {
+bool Program::says(const std::string& text, int times) {
   const auto deadline = std::chrono::steady_clock::now() + patience;
   for (;;) {
     const bool alive = running();
-    if (file_text(err_file_).find(text) != std::string::npos) return true;
+    const std::string said = file_text(err_file_);
+    int found = 0;
+    for (std::size_t at = said.find(text); at != std::string::npos; at = said.find(text, at + 1)) ++found;
+    if (found >= times) return true;
     if (!alive || std::chrono::steady_clock::now() > deadline) return false;
     std::this_thread::sleep_for(glance);
   }

@@ -18,9 +18,9 @@ struct Outcome {
 };
 
 struct Surroundings {
-  std::filesystem::path folder;                                  // to start in; empty: that of the test
-  std::vector<std::pair<std::string, std::string>> environment;  // on top of ours
-  std::optional<std::size_t> largest_file;                       // bytes, RLIMIT_FSIZE
+  std::filesystem::path folder{};                                  // to start in; empty: that of the test
+  std::vector<std::pair<std::string, std::string>> environment{};  // on top of ours
+  std::optional<std::size_t> largest_file{};                       // bytes, RLIMIT_FSIZE
 };
 
 // A running weir. Its output goes to files, so it never waits for a reader.
@@ -35,8 +35,8 @@ class Program {
   void signal(int number) const;
   bool running();
   Outcome wait();
-  // Whether the text appears on standard error within the time.
-  bool says(const std::string& text);
+  // Whether the text appears on standard error, so many times, before it ends and while we wait.
+  bool says(const std::string& text, int times = 1);
 
  private:
   std::filesystem::path out_file_;

@@ -56,7 +56,7 @@ class Terminal : public testing::Test {
 };
 
 TEST_F(Terminal, ShowsABarThatFits) {
-  for (const unsigned short columns : {120, 60, 24}) {
+  for (const unsigned short columns : std::array<unsigned short, 3>{120, 60, 24}) {
     const std::string text = on_terminal(
         {"run", scene_.string(), "-o", (temporary_ / std::to_string(columns)).string(), "--set", "output.movie=false"},
         columns, true);
@@ -69,7 +69,8 @@ TEST_F(Terminal, ShowsABarThatFits) {
       EXPECT_LT(end, columns) << piece;
     }
     EXPECT_GE(bars, 1) << text;
-    EXPECT_EQ(text.find("[####") != std::string::npos, columns == 120) << text;
+    // Where the facts alone fill the line there is no room for the bar itself.
+    EXPECT_EQ(text.find("####]") != std::string::npos, columns > 24) << text;
   }
 }
 

@@ -1,5 +1,6 @@
 #include "pipeline/fakes.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"
@@ -17,6 +18,18 @@ std::mutex record_mutex;
 
 constexpr int steps_per_frame = 4;
 
+// A stage at work for that long.
+void work(std::chrono::milliseconds time) {
+  static int at_work = 0;
+  {
+    const std::lock_guard lock(record_mutex);
+    record_now.most_at_once = std::max(record_now.most_at_once, ++at_work);
+  }
+  std::this_thread::sleep_for(time);
+  const std::lock_guard lock(record_mutex);
+  --at_work;
+}
+
 class FakeSimulation final : public Simulation {
  public:
   explicit FakeSimulation(const Scene& scene)
@@ -24,7 +37,7 @@ class FakeSimulation final : public Simulation {
 
   bool finished() const override { return step_ >= last_; }
   void step() override {
-    std::this_thread::sleep_for(behaviour_now.step_time);
+    work(behaviour_now.step_time);
     ++step_;
     if (step_ == behaviour_now.diverge_in_step) throw SimulationError("diverged on purpose");
   }
@@ -64,7 +77,7 @@ class FakeRenderer final : public Renderer {
     record_now.renderer_thread = std::this_thread::get_id();
   }
   void draw(const Frame& frame, Image& image) override {
-    std::this_thread::sleep_for(behaviour_now.draw_time);
+    work(behaviour_now.draw_time);
     if (frame.index == behaviour_now.draw_fails_at) throw DeviceError("drawing failed on purpose");
     image.width = 2;
     image.height = 1;
@@ -83,7 +96,7 @@ class FakeRenderer final : public Renderer {
 class FakeMovie final : public MovieSink {
  public:
   void write(const Image& image) override {
-    std::this_thread::sleep_for(behaviour_now.encode_time);
+    work(behaviour_now.encode_time);
     const std::int64_t frame = image.rgba[0];
     if (frame == behaviour_now.encode_fails_at) throw OutputError("encoding failed on purpose");
     const std::lock_guard lock(record_mutex);

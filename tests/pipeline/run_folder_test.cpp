@@ -8,10 +8,10 @@
 #include "core/sha256.h"
 #include "output/file.h"
 #include "pipeline/fakes.h"
-#include "run/run.h"
-#include "run/run_folder.h"
 #include "pipeline/small_scene.h"
 #include "pipeline/temporary_folder.h"
+#include "run/run.h"
+#include "run/run_folder.h"
 #include "scene/reader.h"
 
 namespace weir {
