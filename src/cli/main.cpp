@@ -1,7 +1,5 @@
 // weir: from a YAML scene to a movie of a fluid, without a screen.
-#include <unistd.h>
-
-#include <cstdlib>
+#include <exception>
 #include <new>
 
 #include "cli/commands.h"
@@ -80,20 +78,11 @@ ExitCode main_program(int argc, char** argv) {
   return perform(action);
 }
 
-// By default the solver's threads wait for each other spinning, and so take the processors from those that draw and
-// encode, or from other users. On two processors shared with other work, sleeping made 15,000 particles 7 times as fast.
-// The OpenMP runtime reads its environment before main() begins, so the program starts itself anew, once.
-void wait_asleep(char** argv) {
-  if (std::getenv("OMP_WAIT_POLICY") != nullptr || std::getenv("GOMP_SPINCOUNT") != nullptr) return;
-  if (setenv("OMP_WAIT_POLICY", "passive", 0) == 0) execv("/proc/self/exe", argv);  // if it fails, we only run slower
-}
-
 }  // namespace
 
 }  // namespace weir
 
 int main(int argc, char** argv) {
-  weir::wait_asleep(argv);
   try {
     return static_cast<int>(weir::main_program(argc, argv));
   } catch (const std::exception& error) {

@@ -110,8 +110,7 @@ TYPED_TEST(NeighboursIn, ListsWithASkinNeverMissAPair) {
   auto fluid = fluid_at<dim>(scattered<dim>(400, -3, 3, 8));
   Team team(2);
   WallParticles<dim> walls{scattered<dim>(100, -3, 3, 9)};
-  Neighbours<dim> neighbours({.support_radius = 1, .skin = 0.2, .search = NeighbourSearch::index_sort, .threads = 2},
-                             walls);
+  Neighbours<dim> neighbours({.support_radius = 1, .skin = 0.2, .search = NeighbourSearch::index_sort}, team, walls);
   std::mt19937 random(10);
   std::uniform_real_distribution<double> u(-0.02, 0.02);
   const int moves = 40;
