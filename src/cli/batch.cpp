@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Options {
+struct BatchCommand {
   std::vector<std::string> scenes;
   std::string folder = "out";
   std::vector<std::string> set;
@@ -52,7 +52,7 @@ std::optional<fs::file_time_type> manifest_time(const fs::path& folder) {
 
 class Batch {
  public:
-  explicit Batch(const Options& options);
+  explicit Batch(const BatchCommand& options);
   ExitCode run();
 
  private:
@@ -62,12 +62,12 @@ class Batch {
   void print_table() const;
   ExitCode worst_exit() const;
 
-  const Options& options_;
+  const BatchCommand& options_;
   std::vector<Job> jobs_;
   bool stopping_ = false;
 };
 
-Batch::Batch(const Options& options) : options_(options) {
+Batch::Batch(const BatchCommand& options) : options_(options) {
   overrides(options.set);  // refused here once instead of by every scene
   std::map<std::string, fs::path> names;
   for (const std::string& scene : options.scenes) {
@@ -170,7 +170,7 @@ ExitCode Batch::worst_exit() const {
 
 void add_batch(CLI::App& program, Action& action) {
   CLI::App* command = program.add_subcommand("batch", "Run many scenes, each in a process of its own");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<BatchCommand>();
   command->add_option("scenes", options->scenes, "Scenes, YAML files")->type_name("SCENE.yaml...")->required();
   command->add_option("-o,--output", options->folder, "Folder of the run folders, DIR/<scene name>; default: out")
       ->type_name("DIR");

@@ -14,7 +14,7 @@ namespace weir {
 
 namespace {
 
-struct Options {
+struct CheckCommand {
   std::vector<std::string> scenes;
   std::vector<std::string> set;
   int threads = 0;
@@ -69,7 +69,7 @@ void print_facts(const std::string& file, const Scene& scene, int threads) {
   fmt::print("  pictures   {}\n", pictures(scene));
 }
 
-ExitCode check_scenes(const Options& options) {
+ExitCode check_scenes(const CheckCommand& options) {
   const std::vector<Override> set = overrides(options.set);
   ExitCode exit = ExitCode::done;
   bool first = true;
@@ -94,7 +94,7 @@ ExitCode check_scenes(const Options& options) {
 
 void add_check(CLI::App& program, Action& action) {
   CLI::App* command = program.add_subcommand("check", "Find every mistake in scenes; say what they will cost to run");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CheckCommand>();
   command->add_option("scenes", options->scenes, "Scenes, YAML files")->type_name("SCENE.yaml...")->required();
   add_set(*command, options->set);
   add_threads(*command, options->threads);

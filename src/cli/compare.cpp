@@ -8,7 +8,7 @@ namespace weir {
 
 namespace {
 
-struct Options {
+struct CompareCommand {
   std::string a;
   std::string b;
   ComparisonOptions comparison;
@@ -17,7 +17,7 @@ struct Options {
 };
 
 // What cannot be read is a mistake of the command line here, not a failure of output.
-ComparisonResult judge(const Options& options) {
+ComparisonResult judge(const CompareCommand& options) {
   try {
     return compare(options.a, options.b, options.comparison);
   } catch (const OutputError& error) {
@@ -25,7 +25,7 @@ ComparisonResult judge(const Options& options) {
   }
 }
 
-ExitCode compare_two(const Options& options) {
+ExitCode compare_two(const CompareCommand& options) {
   ComparisonResult result = judge(options);
   if (!options.difference.empty()) {
     ComparisonOptions with_picture = options.comparison;
@@ -44,7 +44,7 @@ ExitCode compare_two(const Options& options) {
 
 void add_compare(CLI::App& program, Action& action) {
   CLI::App* command = program.add_subcommand("compare", "Compare two images, movies or run folders");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CompareCommand>();
   command->add_option("a", options->a, "A .png, an .mp4 or a run folder")->type_name("A")->required();
   command->add_option("b", options->b, "Another of the same kind")->type_name("B")->required();
   command

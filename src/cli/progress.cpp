@@ -31,7 +31,7 @@ std::string facts(const Progress& progress) {
   return text;
 }
 
-void print_json(const Json& json) {
+void print_progress_json(const Json& json) {
   fmt::print(stderr, "{}\n", json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
@@ -50,7 +50,7 @@ void ProgressReport::show(const Progress& progress) {
   if (style_ == ProgressStyle::lines) {
     weir::say(facts(progress));
   } else {
-    print_json({{"event", "progress"},
+    print_progress_json({{"event", "progress"},
                 {"time_s", progress.time},
                 {"duration_s", progress.duration},
                 {"step", progress.step},
@@ -85,7 +85,7 @@ void ProgressReport::clear_bar() {
 void ProgressReport::say(const std::string& text) {
   clear_bar();
   if (style_ == ProgressStyle::json) {
-    print_json({{"event", "message"}, {"text", text}});
+    print_progress_json({{"event", "message"}, {"text", text}});
   } else {
     weir::say(text);
   }
@@ -94,7 +94,7 @@ void ProgressReport::say(const std::string& text) {
 void ProgressReport::end(const RunResult& result) {
   clear_bar();
   if (style_ == ProgressStyle::json) {
-    print_json({{"event", "end"},
+    print_progress_json({{"event", "end"},
                 {"exit", static_cast<int>(result.exit)},
                 {"text", result.message},
                 {"folder", result.folder.string()}});

@@ -18,14 +18,14 @@ const std::map<std::string, void (*)(const ReportOptions&)>& reports() {
   return table;
 }
 
-struct Options {
+struct ReportCommand {
   std::string name;
   std::string folder;
   int threads = 0;
   std::string device;
 };
 
-ExitCode write_report(const Options& options) {
+ExitCode write_report(const ReportCommand& options) {
   ReportOptions report;
   report.folder = options.folder.empty() ? std::filesystem::path("out/report") / options.name
                                          : std::filesystem::path(options.folder);
@@ -41,7 +41,7 @@ ExitCode write_report(const Options& options) {
 
 void add_report(CLI::App& program, Action& action) {
   CLI::App* command = program.add_subcommand("report", "Figures and tables of the studies, as CSV, SVG and PNG");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ReportCommand>();
   command->add_option("name", options->name, "Which: seed-a")
       ->type_name("NAME")
       ->required()

@@ -13,7 +13,7 @@ namespace weir {
 
 namespace {
 
-struct Options {
+struct RunCommand {
   std::string scene;
   std::string folder;
   std::vector<std::string> set;
@@ -33,7 +33,7 @@ const std::map<std::string, ProgressStyle>& progress_styles() {
   return styles;
 }
 
-ExitCode run_scene(const Options& options) {
+ExitCode run_scene(const RunCommand& options) {
   RunOptions run_options;
   run_options.folder = options.folder;
   run_options.threads = options.threads;
@@ -57,7 +57,7 @@ ExitCode run_scene(const Options& options) {
 
 void add_run(CLI::App& program, Action& action) {
   CLI::App* command = program.add_subcommand("run", "Simulate a scene and write all that it asks for");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RunCommand>();
   command->add_option("scene", options->scene, "The scene, a YAML file")->type_name("SCENE.yaml")->required();
   command->add_option("-o,--output", options->folder, "Folder to write; default: out/<scene name>")->type_name("DIR");
   add_set(*command, options->set);
