@@ -53,7 +53,7 @@ TEST(Hydrostatic, TowerComesToRestUnderItsOwnWeight) {
   simulation->fill(frame);
 
   const double exact = rho0 * gravity * height;
-  // From the lower half of the column. The lowest row alone, half a spacing above the floor, reads 3 to 4 % more: the wall
+  // From the lower half of the column. The lowest row alone, half a spacing above the floor, reads 3 % more: the wall
   // mirrors its pressure where the true one still grows by rho g dx a row.
   const double on_floor = floor_pressure(frame, 0, 0.5 * height);
   EXPECT_NEAR(on_floor / exact, 1, 0.03);
