@@ -112,6 +112,10 @@ class RangeVisitor {
     }
     for (std::size_t i = 0; i < values.size(); ++i) judge(joined(path, fmt::format("{}", i)), values[i], spec);
   }
+  void judge(const std::string& path, const FileName& name, const Spec&) {
+    const std::string wrong = file_name_mistake(name.value);
+    if (!wrong.empty()) report(path, wrong);
+  }
   void judge(const std::string&, bool, const Spec&) {}
   void judge(const std::string&, const std::string&, const Spec&) {}
   template <class E>

@@ -71,6 +71,10 @@ struct Map {
 struct Spin {
   Vec3& value;
 };
+// What files and folders are called by.
+struct FileName {
+  std::string& value;
+};
 // A number, or a word that stands for one.
 template <class T>
 struct OrWord {
@@ -366,6 +370,9 @@ void describe(V& v, Output& output) {
 template <class V>
 void describe(V& v, Scene& scene) {
   v.version("weir", format_version);
+  v.field("name", FileName{scene.name},
+          Spec{.meaning = "names the run folder and the movie: letters (a-z, A-Z), digits, _ - .; by default the scene "
+                          "file's name"});
   v.field("title", scene.title, Spec{.meaning = "shown in the picture's corner"});
   v.field("dimension", scene.dimension,
           Spec{.meaning = "2 or 3; a vector has that many numbers", .range = {2, 3}, .required = true});

@@ -1,5 +1,6 @@
 #include "scene/leaves.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "scene/number.h"
@@ -27,6 +28,24 @@ std::string range_mistake(double value, const Spec& spec) {
   const std::string at_least = fmt::format("{} {}", range.above ? "above" : "at least", with_unit(range.min, spec));
   if (std::isinf(range.max)) return fmt::format("must be {}, got {}", at_least, number_text(value));
   return fmt::format("must be {} and at most {}, got {}", at_least, with_unit(range.max, spec), number_text(value));
+}
+
+std::string file_name_mistake(const std::string& name) {
+  const auto allowed = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
+           c == '.';
+  };
+  if (name.empty()) return "must not be empty";
+  if (name.front() == '.' || name.front() == '-') {
+    return fmt::format("must begin with a letter, a digit or _, got '{}'", name);
+  }
+  if (!std::all_of(name.begin(), name.end(), allowed)) {
+    return fmt::format("must hold only letters (a-z, A-Z), digits, _ - and ., got '{}'", name);
+  }
+  if (name.size() > longest_file_name) {
+    return fmt::format("must have at most {} characters, got {}", longest_file_name, name.size());
+  }
+  return "";
 }
 
 std::string content(const Node& node) {
@@ -109,6 +128,14 @@ void LeafReader::read(const Node& node, std::string& value, const Spec&) {
     return complain(node, fmt::format("expects text, got {}; put it in quotes", content(node)));
   }
   value = node.text;
+}
+
+void LeafReader::read(const Node& node, FileName name, const Spec& spec) {
+  std::string read_value = name.value;
+  read(node, read_value, spec);
+  const std::string wrong = file_name_mistake(read_value);
+  if (!wrong.empty() && node.kind == Node::Kind::scalar) return complain(node, wrong);
+  name.value = read_value;
 }
 
 void LeafReader::read(const Node& node, Vec3& value, const Spec& spec) {

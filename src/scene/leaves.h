@@ -26,6 +26,7 @@ class LeafReader {
   void read(const Node& node, int& value, const Spec& spec);
   void read(const Node& node, bool& value, const Spec& spec);
   void read(const Node& node, std::string& value, const Spec& spec);
+  void read(const Node& node, FileName name, const Spec& spec);
   void read(const Node& node, Vec3& value, const Spec& spec);
   void read(const Node& node, Spin spin, const Spec& spec);
   void read(const Node& node, AutoRange range, const Spec& spec);
@@ -107,6 +108,11 @@ class LeafReader {
 
 // What the range of `spec` demands of a value that breaks it, or an empty text.
 std::string range_mistake(double value, const Spec& spec);
+
+// What is wrong with the name of a file or folder, or an empty text. The same everywhere: a name that one system or
+// shell takes for something else is refused on all.
+std::string file_name_mistake(const std::string& name);
+inline constexpr int longest_file_name = 200;  // characters; with an ending, systems allow 255
 
 // What a node holds, for messages: "the text 'abc'", "a list".
 std::string content(const Node& node);

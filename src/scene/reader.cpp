@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "scene/check.h"
 #include "scene/document.h"
+#include "scene/leaves.h"
 #include "scene/map_reader.h"
 #include "scene/path_set.h"
 #include "scene/text.h"
@@ -100,6 +101,7 @@ class Reading {
       mistakes_ = {*reader.other_version()};
       fail();
     }
+    if (child(root_, "name") == nullptr) judge_name_of_file(scene.name);
     if (dimension != 0) add_violations(scene);
     if (!mistakes_.empty()) fail();
     return scene;
@@ -123,6 +125,11 @@ class Reading {
       value.at.option = option;
       merge_override(root_, overrides_[i].key, std::move(value), mistakes_);
     }
+  }
+
+  void judge_name_of_file(const std::string& name) {
+    const std::string wrong = file_name_mistake(name);
+    if (!wrong.empty()) mistakes_.push_back({root_.at, "name", "name, by default the file's, " + wrong});
   }
 
   // Rules between fields, where all fields that a rule looks at could be read.

@@ -154,7 +154,7 @@ struct TimelineEvent {
   double at = 0;    // s of run time
   double over = 0;  // s; 0: at once, else a linear ramp of this length
   Settings set{};
-  bool reset = false;         // particles return to their initial state; settings stay
+  bool reset = false;           // particles return to their initial state; settings stay
   std::optional<bool> pause{};  // true: the movie holds; false: goes on
 };
 
@@ -219,7 +219,7 @@ struct Output {
 };
 
 struct Scene {
-  std::string name;  // of the file, without folder and ending; names the run folder and the movie
+  std::string name;  // names the run folder and the movie; by default the file's, without folder and ending
   std::string title;
   int dimension = 2;
   double duration = 0;          // s of run time

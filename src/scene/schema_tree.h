@@ -9,6 +9,7 @@
 #include <string>
 
 #include "scene/describe.h"
+#include "scene/leaves.h"
 #include "scene/names.h"
 
 namespace weir {
@@ -39,6 +40,12 @@ class LeafSchema {
   }
   Json type(bool) const { return {{"type", "boolean"}, {"weir:kind", "true or false"}}; }
   Json type(const std::string&) const { return {{"type", "string"}, {"weir:kind", "text"}}; }
+  Json type(const FileName&) const {
+    return {{"type", "string"},
+            {"pattern", "^[A-Za-z0-9_][A-Za-z0-9_.-]*$"},
+            {"maxLength", longest_file_name},
+            {"weir:kind", "text"}};
+  }
   Json type(const Vec3&) const {
     return {{"type", "array"}, {"items", type(0.0)}, {"minItems", 2}, {"maxItems", 3}, {"weir:kind", "vector"}};
   }
@@ -85,6 +92,7 @@ class LeafSchema {
   Json value(int number) const { return number; }
   Json value(bool truth) const { return truth; }
   Json value(const std::string& text) const { return text; }
+  Json value(const FileName&) const { return nullptr; }  // by default the file's name
   Json value(const Vec3& vector) const { return Json::array({number_json(vector.x), number_json(vector.y)}); }
   Json value(const Spin& spin) const { return number_json(spin.value.z); }
   Json value(const AutoRange& range) const { return range.value ? value(*range.value) : Json("auto"); }

@@ -100,6 +100,7 @@ class MapWriter {
   std::optional<Node> leaf(int value) const { return scalar(fmt::format("{}", value)); }
   std::optional<Node> leaf(bool value) const { return scalar(value ? "true" : "false"); }
   std::optional<Node> leaf(const std::string& value) const { return scalar(value, true); }
+  std::optional<Node> leaf(const FileName& name) const { return leaf(name.value); }
   std::optional<Node> leaf(const Vec3& value) const {
     Node node = list_node();
     for (int axis = 0; axis < dimension_; ++axis) node.children.push_back(*leaf(value[axis]));

@@ -103,6 +103,11 @@ TEST_F(Run, FromTheEffectiveSceneGivesTheSame) {
   const auto second = nlohmann::json::parse(file_text(again / "manifest.json"));
   EXPECT_EQ(second["state_hash"], first["state_hash"]);
   EXPECT_EQ(second["scene_sha256"], first["scene_sha256"]);
+  // The same run, so the same movie's name, and nothing to do where it stands already.
+  EXPECT_TRUE(fs::exists(again / "small.mp4"));
+  const Outcome in_place = weir_program({"run", (folder_ / "scene.yaml").string(), "-o", folder_.string()});
+  EXPECT_EQ(in_place.exit, 0) << in_place.err;
+  EXPECT_NE((in_place.out + in_place.err).find("holds the identical finished run"), std::string::npos);
 }
 
 TEST_F(Run, SkipsTheFinishedRunAndRefusesAnother) {

@@ -17,6 +17,7 @@ using testing::IsEmpty;
 
 Scene scene_in(int dimension) {
   Scene scene;
+  scene.name = "scene";
   scene.dimension = dimension;
   scene.duration = 2;
   scene.particle_spacing = 0.1;
@@ -54,6 +55,22 @@ TEST(Check, RefusesScenesWithoutFluid) {
   Scene scene = scene_in(2);
   scene.fluid.volumes.clear();
   EXPECT_THAT(said(scene), ElementsAre("fluid.volumes needs at least 1"));
+}
+
+TEST(Check, RefusesNamesThatCannotNameAFolder) {
+  Scene scene = scene_in(2);
+  for (const char* name : {"a", "Dam-break_2.5", "_", "2"}) {
+    scene.name = name;
+    EXPECT_THAT(said(scene), IsEmpty()) << name;
+  }
+  for (const char* name : {"", ".", "..", ".hidden", "-o", "a/b", "a b", "dämme", "a\nb", "c:d"}) {
+    scene.name = name;
+    EXPECT_THAT(said(scene), ElementsAre(testing::StartsWith("name must "))) << name;
+  }
+  scene.name = std::string(200, 'a');
+  EXPECT_THAT(said(scene), IsEmpty());
+  scene.name += 'a';
+  EXPECT_THAT(said(scene), ElementsAre("name must have at most 200 characters, got 201"));
 }
 
 TEST(Check, ComparesFieldsBuiltInCppWithTheTable) {

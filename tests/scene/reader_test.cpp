@@ -29,6 +29,39 @@ TEST(Reader, ReadsTheShortestScene) {
   EXPECT_EQ(std::get<Box>(scene.fluid.volumes[0].shape).max, Vec3(1, 1, 0));
 }
 
+TEST(Reader, NamesASceneAfterItsKeyOrItsFile) {
+  EXPECT_EQ(read_scene_text(shortest_text, "folder/dam_break.yaml").name, "dam_break");
+  EXPECT_EQ(scene_of(shortest_text + "name: other-1.5\n").name, "other-1.5");
+  EXPECT_EQ(scene_of(shortest_text, {"name=third"}).name, "third");
+  // What was written reads back under the same name, wherever it stands.
+  const std::string effective = write_scene(read_scene_text(shortest_text, "folder/dam_break.yaml"));
+  EXPECT_EQ(read_scene_text(effective, "scene.yaml").name, "dam_break");
+  EXPECT_EQ(write_scene(read_scene_text(effective, "scene.yaml")), effective);
+}
+
+TEST(Reader, RefusesNamesThatCannotNameAFolder) {
+  EXPECT_THAT(with_line("name: a/b"),
+              ElementsAre("s.yaml:6:1: name must hold only letters (a-z, A-Z), digits, _ - and ., got 'a/b'"));
+  EXPECT_THAT(with_line("name: .."), ElementsAre("s.yaml:6:1: name must begin with a letter, a digit or _, got '..'"));
+  EXPECT_THAT(with_line("name: 2024"), ElementsAre("s.yaml:6:1: name expects text, got '2024'; put it in quotes"));
+  EXPECT_THAT(with_line("name: [a]"), ElementsAre("s.yaml:6:1: name expects text, got a list"));
+  EXPECT_THAT(mistakes_in(shortest_text, {"name=-x"}),
+              ElementsAre("--set name=-x: name must begin with a letter, a digit or _, got '-x'"));
+}
+
+TEST(Reader, AsksForANameWhereTheFilesOwnIsNone) {
+  try {
+    read_scene_text(shortest_text, "my scene.yaml");
+    FAIL();
+  } catch (const SceneError& error) {
+    ASSERT_EQ(error.mistakes.size(), 1U);
+    EXPECT_EQ(error.mistakes[0].where, "my scene.yaml:1:1");
+    EXPECT_EQ(error.mistakes[0].message,
+              "name, by default the file's, must hold only letters (a-z, A-Z), digits, _ - and ., got 'my scene'");
+  }
+  EXPECT_EQ(read_scene_text(shortest_text + "name: mine\n", "my scene.yaml").name, "mine");
+}
+
 TEST(Reader, PointsGravityDownwardsInEachDimension) {
   EXPECT_EQ(scene_of(shortest_3d_text).gravity, Vec3(0, 0, -9.81));
   EXPECT_EQ(scene_of(shortest_3d_text + "gravity: [1, 2, 3]\n").gravity, Vec3(1, 2, 3));
@@ -333,9 +366,9 @@ TEST_F(ReaderFiles, NamesFilesThatCannotBeRead) {
 }
 
 TEST_F(ReaderFiles, NamesTheSceneAfterTheFile) {
-  const std::filesystem::path file = folder_ / "a pool.v2.yaml";
+  const std::filesystem::path file = folder_ / "a_pool.v2.yaml";
   std::ofstream(file) << shortest_text;
-  EXPECT_EQ(read_scene(file).name, "a pool.v2");
+  EXPECT_EQ(read_scene(file).name, "a_pool.v2");
 }
 
 TEST_F(ReaderFiles, NamesFilesWithoutPermission) {

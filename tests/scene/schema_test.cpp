@@ -19,6 +19,7 @@ using Json = nlohmann::ordered_json;
 // Scenes that between them hold every key; a test below proves that they do.
 const std::vector<std::string> full_texts{
     R"(weir: 1
+name: all
 title: all of 2D
 dimension: 2
 duration: 2
