@@ -71,7 +71,7 @@ void Team::take_turns() {
 }
 
 void Team::help() {
-  std::uint32_t seen = 0;
+  int seen = 0;
   while (true) {
     loops_.wait(seen);
     seen = loops_;
