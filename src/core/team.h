@@ -45,8 +45,8 @@ class Team {
   std::atomic<std::size_t> next_{0};
 
   std::atomic<bool> open_{false};
-  std::atomic<int> inside_{0};           // helpers that are, or may be, at work on it
-  std::atomic<std::uint32_t> loops_{0};  // counts up to wake helpers
+  std::atomic<int> inside_{0};  // helpers that are, or may be, at work on it
+  std::atomic<int> loops_{0};   // counts up to wake helpers; int is what the kernel can wait on itself
   std::atomic<bool> ending_{false};
   std::vector<std::thread> helpers_;
 };
