@@ -7,6 +7,7 @@
 #include "core/team.h"
 #include "run/run_folder.h"
 #include "run/stopwatch.h"
+#include "scene/advice.h"
 #include "scene/check.h"
 #include "sph/simulation.h"
 
@@ -67,6 +68,7 @@ void print_facts(const std::string& file, const Scene& scene, int threads) {
   fmt::print("  steps      about {}\n", cost.steps);
   fmt::print("  run time   {}\n", run_time(scene, cost, threads));
   fmt::print("  pictures   {}\n", pictures(scene));
+  for (const std::string& text : advice(scene)) fmt::print("  advice     {}\n", text);
 }
 
 ExitCode check_scenes(const CheckCommand& options) {

@@ -15,6 +15,7 @@
 #include "run/pictures.h"
 #include "run/run_folder.h"
 #include "run/stopwatch.h"
+#include "scene/advice.h"
 #include "scene/check.h"
 
 namespace weir {
@@ -113,6 +114,7 @@ void Session::open() {
     folder_.withdraw();
     throw;
   }
+  for (const std::string& text : advice(scene_)) say(text);
   setup_seconds_ = since_start_.seconds();
 }
 
