@@ -12,9 +12,11 @@
 #include "cli/scene_options.h"
 #include "cli/signals.h"
 #include "cli/wall_time.h"
+#include "core/error.h"
 #include "core/team.h"
 #include "run/run_folder.h"
 #include "run/stopwatch.h"
+#include "scene/reader.h"
 
 namespace weir {
 
@@ -50,6 +52,15 @@ std::optional<fs::file_time_type> manifest_time(const fs::path& folder) {
   return missing ? std::nullopt : std::optional(time);
 }
 
+// A scene that is wrong, which its own process will tell, goes by its file's name.
+std::string name_of(const fs::path& scene, const std::vector<Override>& settings) {
+  try {
+    return read_scene(scene, settings).name;
+  } catch (const SceneError&) {
+    return scene.stem().string();
+  }
+}
+
 class Batch {
  public:
   explicit Batch(const BatchCommand& options);
@@ -68,12 +79,12 @@ class Batch {
 };
 
 Batch::Batch(const BatchCommand& options) : options_(options) {
-  overrides(options.set);  // refused here once instead of by every scene
+  const std::vector<Override> settings = overrides(options.set);  // refused here once instead of by every scene
   std::map<std::string, fs::path> names;
   for (const std::string& scene : options.scenes) {
     Job job;
     job.scene = scene;
-    job.name = job.scene.stem().string();
+    job.name = name_of(job.scene, settings);
     job.folder = fs::path(options.folder) / job.name;
     const auto [other, is_new] = names.emplace(job.name, job.scene);
     if (!is_new) {

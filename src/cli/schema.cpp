@@ -9,7 +9,7 @@ void add_schema(CLI::App& program, Action& action) {
   CLI::App* command = program.add_subcommand("schema", "Print the JSON Schema (draft-07) of the scene format");
   command->callback([&action] {
     action = [] {
-      fmt::print("{}\n", scene_schema());
+      fmt::print("{}", scene_schema());
       return ExitCode::done;
     };
   });

@@ -1,27 +1,11 @@
 #include "font/font.h"
 
-// The assembler copies the file in as it is; a generated array of its 740 kB would take the compiler seconds. Hidden
-// symbols: program and modules each may carry a copy without seeing the other's.
-asm(R"(
-    .pushsection .rodata
-    .balign 16
-    .hidden weir_font_begin
-    .hidden weir_font_end
-    .globl weir_font_begin
-    .globl weir_font_end
-weir_font_begin:
-    .incbin ")" WEIR_FONT_FILE R"("
-weir_font_end:
-    .popsection
-)");
+#include "core/embed.h"
 
-extern "C" {
-extern const std::byte weir_font_begin[] __attribute__((visibility("hidden")));
-extern const std::byte weir_font_end[] __attribute__((visibility("hidden")));
-}
+WEIR_EMBED(font_dejavu_sans, WEIR_FONT_FILE)
 
 namespace weir {
 
-std::span<const std::byte> font_dejavu_sans() { return {weir_font_begin, weir_font_end}; }
+std::string_view font_dejavu_sans() { return embedded_font_dejavu_sans(); }
 
 }  // namespace weir

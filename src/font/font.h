@@ -2,12 +2,12 @@
 // that no font has to be found on the machine that runs it.
 #pragma once
 
-#include <cstddef>
-#include <span>
+#include <string_view>
 
 namespace weir {
 
-// A TrueType file, as FT_New_Memory_Face takes it; valid for the life of the program.
-std::span<const std::byte> font_dejavu_sans();
+// TrueType files, as FT_New_Memory_Face takes them; valid for the life of the program.
+std::string_view font_dejavu_sans();
+std::string_view font_dejavu_sans_bold();
 
 }  // namespace weir

@@ -4,9 +4,9 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/ticks.h"
 #include "plot/cairo.h"
 #include "plot/draw.h"
-#include "plot/ticks.h"
 
 namespace weir::plot {
 
@@ -68,7 +68,7 @@ Range range_of(const LinePlot& plot, std::vector<double> Series::*values, const 
   return {range.low - more, range.high + more};
 }
 
-std::vector<AxisTick> ticks_of(const Range& range, const Axis& axis, int most) {
+std::vector<Tick> ticks_of(const Range& range, const Axis& axis, int most) {
   return axis.logarithmic ? logarithmic_ticks(range.low, range.high) : linear_ticks(range.low, range.high, most);
 }
 
@@ -98,15 +98,15 @@ class Figure {
  private:
   double widest_label() {
     double widest = 0;
-    for (const AxisTick& tick : y_ticks_) widest = std::max(widest, canvas_.text_width(tick.label, tick_size));
+    for (const Tick& tick : y_ticks_) widest = std::max(widest, canvas_.text_width(tick.label, tick_size));
     return widest;
   }
 
   void draw_grid() {
     canvas_.color(faint);
-    for (const AxisTick& tick : x_ticks_)
+    for (const Tick& tick : x_ticks_)
       if (!tick.label.empty()) canvas_.line(x_(tick.value), top_, x_(tick.value), bottom_, 0.5);
-    for (const AxisTick& tick : y_ticks_)
+    for (const Tick& tick : y_ticks_)
       if (!tick.label.empty()) canvas_.line(left_, y_(tick.value), right_, y_(tick.value), 0.5);
     // Signed quantities are read against zero.
     if (!plot_.y.logarithmic && y_range_.low < 0 && y_range_.high > 0) {
@@ -142,11 +142,11 @@ class Figure {
     canvas_.color(ink);
     canvas_.line(left_, bottom_, right_, bottom_, 0.8);
     canvas_.line(left_, top_, left_, bottom_, 0.8);
-    for (const AxisTick& tick : x_ticks_) {
+    for (const Tick& tick : x_ticks_) {
       canvas_.line(x_(tick.value), bottom_, x_(tick.value), bottom_ + (tick.label.empty() ? 1.5 : tick_length), 0.8);
       canvas_.text(x_(tick.value), bottom_ + tick_length + tick_size + 1, tick.label, tick_size, Anchor::middle);
     }
-    for (const AxisTick& tick : y_ticks_) {
+    for (const Tick& tick : y_ticks_) {
       canvas_.line(left_ - (tick.label.empty() ? 1.5 : tick_length), y_(tick.value), left_, y_(tick.value), 0.8);
       // A third of the size below the middle is where the digits' middle is.
       canvas_.text(left_ - tick_length - 2, y_(tick.value) + 0.36 * tick_size, tick.label, tick_size, Anchor::end);
@@ -176,7 +176,7 @@ class Figure {
   Canvas& canvas_;
   const LinePlot& plot_;
   Range x_range_, y_range_;
-  std::vector<AxisTick> x_ticks_, y_ticks_;
+  std::vector<Tick> x_ticks_, y_ticks_;
   double left_, right_, top_, bottom_;
   Scale x_, y_;
 };

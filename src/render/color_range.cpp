@@ -2,6 +2,7 @@
 #include <array>
 #include <variant>
 
+#include "equations/state.h"
 #include "render/nice_numbers.h"
 #include "render/renderer.h"
 
@@ -9,11 +10,15 @@ namespace weir {
 
 namespace {
 
-// rho0 c0^2 in Pa: what a change of pressure is divided by to give the relative change of density.
+// What a change of pressure, Pa, is divided by to give the relative change of density: the stiffness of the linear state
+// equation with the same sound speed.
 double bulk_modulus(const Scene& scene) {
-  if (const auto* speed = std::get_if<SoundSpeed>(&scene.solver.compressibility))
-    return scene.fluid.rest_density * speed->c0 * speed->c0;
-  return scene.solver.exponent * std::get<Stiffness>(scene.solver.compressibility).k;
+  const double rest_density = scene.fluid.rest_density;
+  const auto* speed = std::get_if<SoundSpeed>(&scene.solver.compressibility);
+  const double c0 = speed != nullptr ? speed->c0
+                                     : sound_speed_of_state(std::get<Stiffness>(scene.solver.compressibility).k,
+                                                            scene.solver.exponent, rest_density);
+  return stiffness_of_state(c0, 1, rest_density);
 }
 
 }  // namespace

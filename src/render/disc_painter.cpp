@@ -33,7 +33,7 @@ constexpr double rim = 0.51;
 }  // namespace
 
 DiscPainter::Variant DiscPainter::make_variant(const char* defines, GLuint buffer, GLuint step) {
-  Variant variant{build_program(std::string(assets::disc_vert), std::string(assets::disc_frag), defines), {}};
+  Variant variant{build_program(std::string(assets::disc_vert()), std::string(assets::disc_frag()), defines), {}};
   const GLuint vertices = variant.vertices.id();
   glVertexArrayVertexBuffer(vertices, 0, buffer, 0, sizeof(glm::vec4));
   glVertexArrayAttribFormat(vertices, 0, 4, GL_FLOAT, GL_FALSE, 0);

@@ -30,21 +30,6 @@ double round_down_125(double value) {
   return decade;
 }
 
-std::vector<Tick> nice_ticks(double low, double high, int most) {
-  const double coarsest = (high - low) / std::max(most - 1, 1);
-  double step = round_down_125(coarsest);
-  if (step < coarsest * (1 - slack)) step = round_down_125(step * 2.5);  // 1 -> 2, 2 -> 5, 5 -> 10
-  const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + slack)));
-  std::vector<Tick> ticks;
-  const auto first = static_cast<long long>(std::ceil(low / step - slack));
-  const auto last = static_cast<long long>(std::floor(high / step + slack));
-  for (long long k = first; k <= last; ++k) {
-    const double value = static_cast<double>(k) * step;
-    ticks.push_back({value, fmt::format("{:.{}f}", value, decimals)});
-  }
-  return ticks;
-}
-
 std::string length_text(double metres) {
   const DisplayUnit unit = display_unit("m", metres);
   return fmt::format("{:.6g} {}", metres * unit.factor, unit.name);

@@ -1,8 +1,7 @@
-// Round numbers for ranges, ticks and scale bars.
+// Round numbers for ranges and scale bars, and units that keep numbers short.
 #pragma once
 
 #include <string>
-#include <vector>
 
 namespace weir {
 
@@ -11,15 +10,6 @@ double round_up_nicely(double value);
 
 // The largest of 1, 2, 5 times a power of ten that is not above `value` (> 0).
 double round_down_125(double value);
-
-struct Tick {
-  double value = 0;
-  std::string label;
-};
-
-// Ticks at multiples of 1, 2 or 5 times a power of ten inside [low, high], at most `most` of them (at least 2 asked
-// for), all with the same number of decimals.
-std::vector<Tick> nice_ticks(double low, double high, int most);
 
 // A length with the unit that keeps it short: "5 cm", "2 mm", "10 m".
 std::string length_text(double metres);

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/assets.h"
+#include "core/ticks.h"
+#include "font/font.h"
+#include "render/nice_numbers.h"
 
 namespace weir {
 
@@ -33,17 +35,14 @@ std::array<const char*, 2> name_and_unit(ColorBy by) {
 // The mark says it again to whoever does not see the colour.
 std::string cfl_text(double cfl, bool met) { return fmt::format("CFL {:.3f} {}", cfl, met ? "✓" : "✗"); }
 
-// A real minus sign is as wide as a plus and sits at the same height.
-std::string with_minus_sign(std::string text) { return text.starts_with('-') ? "−" + text.substr(1) : text; }
-
 }  // namespace
 
 Overlay::Overlay(const Scene& scene, std::array<double, 2> range)
     : palette_(palette(scene.render.theme)),
       transparent_(scene.render.transparent),
       map_(colormap(scene.render.color.map)),
-      font_(assets::font),
-      bold_(assets::font_bold) {
+      font_(font_dejavu_sans()),
+      bold_(font_dejavu_sans_bold()) {
   const auto [name, unit] = name_and_unit(scene.render.color.by);
   const DisplayUnit shown = display_unit(unit, std::max(std::abs(range[0]), std::abs(range[1])));
   range_ = {range[0] * shown.factor, range[1] * shown.factor};
@@ -62,7 +61,7 @@ Overlay::Overlay(const Scene& scene, std::array<double, 2> range)
   if (shows(scene, OverlayItem::colorbar)) texts.quantity = quantity_;
   texts.ticks = [this](int most) {
     std::vector<std::string> labels;
-    for (const Tick& tick : nice_ticks(range_[0], range_[1], most)) labels.push_back(with_minus_sign(tick.label));
+    for (const Tick& tick : linear_ticks(range_[0], range_[1], most)) labels.push_back(tick.label);
     return labels;
   };
   layout_ = lay_out(
@@ -122,11 +121,11 @@ void Overlay::draw_colorbar(Image& image) {
   const int mark = static_cast<int>(std::lround(0.35 * layout_.size));
   const int text_left = bar.right + mark + static_cast<int>(std::lround(0.25 * layout_.size));
   const int half_digit = static_cast<int>(std::lround(0.365 * layout_.size));  // half the height of DejaVu's digits
-  for (const Tick& tick : nice_ticks(range_[0], range_[1], layout_.most_ticks)) {
+  for (const Tick& tick : linear_ticks(range_[0], range_[1], layout_.most_ticks)) {
     const double along = (tick.value - range_[0]) / (range_[1] - range_[0]);
     const int y = bar.bottom - static_cast<int>(std::lround(along * bar.height()));
     fill(image, {bar.right, y - line / 2, bar.right + mark, y - line / 2 + line}, palette_.text);
-    draw_text(image, font_, layout_.size, text_left, y + half_digit, with_minus_sign(tick.label), palette_.text);
+    draw_text(image, font_, layout_.size, text_left, y + half_digit, tick.label, palette_.text);
   }
   const int label = font_.width(quantity_, layout_.size);
   const int descent = static_cast<int>(std::lround(0.24 * layout_.size));

@@ -11,7 +11,6 @@
 #include "render/canvas.h"
 #include "render/colormap.h"
 #include "render/font.h"
-#include "render/nice_numbers.h"
 #include "render/overlay_layout.h"
 #include "render/palette.h"
 #include "render/projection.h"

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "equations/time_step.h"
 #include "scene/check.h"
 #include "scene/geometry.h"
 #include "scene/memory.h"
@@ -16,12 +17,13 @@ double time_step(const Scene& scene) {
   const AdaptiveStep& step = std::get<AdaptiveStep>(scene.solver.time_step);
   const double h = smoothing_length(scene);
   const double speed = max_speed_estimate(scene);
-  double dt = step.acoustic * h / (sound_speed(scene) + speed);
-  if (speed > 0) dt = std::min(dt, step.cfl * h / speed);
+  double dt = acoustic_limit(step.acoustic, h, sound_speed(scene), speed);
+  if (speed > 0) dt = std::min(dt, velocity_limit(step.cfl, h, speed));
   const double g = glm::length(scene.gravity);
-  if (g > 0) dt = std::min(dt, step.force * std::sqrt(h / g));
+  if (g > 0) dt = std::min(dt, force_limit(step.force, h, g));
   const double nu = scene.fluid.viscosity.kinematic;
-  if (scene.fluid.viscosity.model != ViscosityModel::none && nu > 0) dt = std::min(dt, step.viscous * h * h / nu);
+  if (scene.fluid.viscosity.model != ViscosityModel::none && nu > 0)
+    dt = std::min(dt, viscous_limit(step.viscous, h, nu));
   if (step.maximum > 0) dt = std::min(dt, step.maximum);
   return dt;
 }

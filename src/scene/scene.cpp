@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "equations/state.h"
 #include "scene/geometry.h"
 
 namespace weir {
@@ -86,12 +87,12 @@ std::int64_t last_frame(const Scene& scene) {
 double stiffness(const Scene& scene) {
   if (const auto* given = std::get_if<Stiffness>(&scene.solver.compressibility)) return given->k;
   const double c0 = std::get<SoundSpeed>(scene.solver.compressibility).c0;
-  return scene.fluid.rest_density * c0 * c0 / scene.solver.exponent;
+  return stiffness_of_state(c0, scene.solver.exponent, scene.fluid.rest_density);
 }
 
 double sound_speed(const Scene& scene) {
   if (const auto* given = std::get_if<SoundSpeed>(&scene.solver.compressibility)) return given->c0;
-  return std::sqrt(scene.solver.exponent * stiffness(scene) / scene.fluid.rest_density);
+  return sound_speed_of_state(stiffness(scene), scene.solver.exponent, scene.fluid.rest_density);
 }
 
 double max_speed_estimate(const Scene& scene) {

@@ -106,6 +106,15 @@ TEST_F(Commands, BatchRefusesTwoScenesOfOneName) {
   EXPECT_FALSE(fs::exists(temporary_ / "out"));
 }
 
+TEST_F(Commands, BatchCallsFoldersAsTheScenesAreCalled) {
+  const fs::path twin = temporary_ / "twin" / "small.yaml";
+  put_file(twin, small_scene_text + "name: twin_2\n");
+  const fs::path out = temporary_ / "out";
+  ASSERT_EQ(weir_program({"batch", scene_.string(), twin.string(), "-o", out.string()}).exit, 0);
+  EXPECT_TRUE(fs::exists(out / "small" / "small.mp4"));
+  EXPECT_TRUE(fs::exists(out / "twin_2" / "twin_2.mp4"));
+}
+
 TEST_F(Commands, BatchPassesASignalOn) {
   const fs::path other = temporary_ / "other.yaml";
   put_file(other, small_scene_text);

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/assets.h"
+#include "font/font.h"
 
 namespace weir {
 namespace {
@@ -39,20 +39,20 @@ TEST(Canvas, StaysInThePicture) {
   fill(image, {-5, -5, 2, 99}, {9, 9, 9});
   EXPECT_EQ(image.pixel(1, 3)[0], 9);
   EXPECT_EQ(image.pixel(2, 0)[0], 0);
-  Font font(assets::font);
+  Font font(font_dejavu_sans());
   draw_text(image, font, 40, -10, 2, "Wide", {255, 255, 255});
   draw_text_upwards(image, font, 40, 1, 300, "Wide", {255, 255, 255});
 }
 
 TEST(Font, DigitsAreEquallyWideAtEverySize) {
-  Font font(assets::font);
+  Font font(font_dejavu_sans());
   for (int size = 9; size < 60; ++size)
     for (const char* digit : {"1", "7", "9", "\u2007"})
       EXPECT_EQ(font.width(digit, size), font.width("0", size)) << size;
 }
 
 TEST(Font, HasTheMarksThatTheOverlayUses) {
-  Font font(assets::font);
+  Font font(font_dejavu_sans());
   for (const char32_t mark : {U'✓', U'✗', U'−', U'³', U'µ'})
     EXPECT_NE(font.glyph(mark, 20).coverage, font.glyph(0xfffe, 20).coverage);
   EXPECT_EQ(font.width("✓", 25), font.width("✗", 25));
@@ -60,7 +60,7 @@ TEST(Font, HasTheMarksThatTheOverlayUses) {
 
 // A capital I at 100 pixels: DejaVu Sans' stem is 0.0986 em wide and its capitals 0.729 em high.
 TEST(Font, GlyphsHaveTheDesignersSize) {
-  Font font(assets::font);
+  Font font(font_dejavu_sans());
   const Glyph& letter = font.glyph(U'I', 100);
   EXPECT_EQ(letter.height, 73);
   EXPECT_EQ(letter.top, 73);

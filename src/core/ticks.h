@@ -1,4 +1,4 @@
-// Where the marks of an axis stand and what they say.
+// Where the marks of an axis or a colour bar stand and what they say.
 #pragma once
 
 #include <string>
@@ -6,17 +6,17 @@
 
 namespace weir {
 
-struct AxisTick {
+struct Tick {
   double value = 0;
   std::string label;  // empty: a minor mark
 };
 
 // Multiples of 1, 2 or 5 times a power of ten inside [low, high], `most` at the most, all with the same decimals.
 // Beyond what reads well as a decimal (0.0001 or 100 000), the labels are powers of ten: "2·10⁻⁵".
-std::vector<AxisTick> linear_ticks(double low, double high, int most);
+std::vector<Tick> linear_ticks(double low, double high, int most);
 
 // Powers of ten inside [low, high] (0 < low), labelled "10⁻³", with minor marks at 2 .. 9 times each. When fewer than
 // two powers lie inside, marks at 1, 2 and 5 are labelled as well.
-std::vector<AxisTick> logarithmic_ticks(double low, double high);
+std::vector<Tick> logarithmic_ticks(double low, double high);
 
 }  // namespace weir

@@ -1,4 +1,4 @@
-#include "plot/ticks.h"
+#include "core/ticks.h"
 
 #include <gmock/gmock.h>
 
@@ -7,10 +7,10 @@
 namespace weir {
 namespace {
 
-std::vector<std::string> labels(const std::vector<AxisTick>& ticks) {
+std::vector<std::string> labels(const std::vector<Tick>& ticks) {
   std::vector<std::string> texts;
   texts.reserve(ticks.size());
-  for (const AxisTick& tick : ticks) texts.push_back(tick.label);
+  for (const Tick& tick : ticks) texts.push_back(tick.label);
   return texts;
 }
 
@@ -28,7 +28,7 @@ TEST(Ticks, AreMultiplesOfOneTwoOrFiveTimesAPowerOfTen) {
         const double rounding = 4e-16 * std::max(std::abs(low), span) / step * digit + 1e-9;
         EXPECT_TRUE(std::abs(digit - 1) < rounding || std::abs(digit - 2) < rounding || std::abs(digit - 5) < rounding)
             << step;
-        for (const AxisTick& tick : ticks) {
+        for (const Tick& tick : ticks) {
           EXPECT_GE(tick.value, low - 1e-6 * span);
           EXPECT_LE(tick.value, low + span + 1e-6 * span);
         }
@@ -39,6 +39,9 @@ TEST(Ticks, AreLabelledWithTheSameDecimals) {
   EXPECT_THAT(labels(linear_ticks(0, 1, 6)), testing::ElementsAre("0.0", "0.2", "0.4", "0.6", "0.8", "1.0"));
   EXPECT_THAT(labels(linear_ticks(-0.05, 0.06, 4)), testing::ElementsAre("−0.05", "0.00", "0.05"));
   EXPECT_THAT(labels(linear_ticks(0, 1000, 3)), testing::ElementsAre("0", "500", "1000"));
+  EXPECT_THAT(labels(linear_ticks(0, 5, 7)), testing::ElementsAre("0", "1", "2", "3", "4", "5"));
+  EXPECT_THAT(labels(linear_ticks(0, 5, 4)), testing::ElementsAre("0", "2", "4"));
+  EXPECT_THAT(labels(linear_ticks(985, 1015, 4)), testing::ElementsAre("990", "1000", "1010"));
 }
 
 TEST(Ticks, OfVerySmallAndVeryLargeNumbersArePowersOfTen) {
@@ -49,7 +52,7 @@ TEST(Ticks, OfVerySmallAndVeryLargeNumbersArePowersOfTen) {
 TEST(Ticks, OfALogarithmicAxisAreItsDecades) {
   std::vector<std::string> decades;
   std::size_t minor = 0;
-  for (const AxisTick& tick : logarithmic_ticks(1e-3, 1)) {
+  for (const Tick& tick : logarithmic_ticks(1e-3, 1)) {
     if (tick.label.empty())
       ++minor;
     else
@@ -61,7 +64,7 @@ TEST(Ticks, OfALogarithmicAxisAreItsDecades) {
 
 TEST(Ticks, OfLessThanADecadeAreStillLabelled) {
   std::vector<std::string> texts;
-  for (const AxisTick& tick : logarithmic_ticks(1.5e3, 6e3))
+  for (const Tick& tick : logarithmic_ticks(1.5e3, 6e3))
     if (!tick.label.empty()) texts.push_back(tick.label);
   EXPECT_THAT(texts, testing::ElementsAre("2·10³", "5·10³"));
 }

@@ -1,4 +1,4 @@
-#include "plot/ticks.h"
+#include "core/ticks.h"
 
 #include <fmt/format.h>
 
@@ -53,14 +53,14 @@ Step step_for(double span, int most) {
 
 }  // namespace
 
-std::vector<AxisTick> linear_ticks(double low, double high, int most) {
+std::vector<Tick> linear_ticks(double low, double high, int most) {
   const Step step = step_for(high - low, most);
   const double size = step.value();
   const bool small = step.exponent < -4;
   const bool large = std::max(std::abs(low), std::abs(high)) >= 1e5;
   const auto first = static_cast<long long>(std::ceil(low / size - slack));
   const auto last = static_cast<long long>(std::floor(high / size + slack));
-  std::vector<AxisTick> ticks;
+  std::vector<Tick> ticks;
   for (long long k = first; k <= last; ++k) {
     const double value = static_cast<double>(k) * size;
     const std::string label = small || large ? scientific(std::to_string(k * step.digit), step.exponent)
@@ -70,11 +70,11 @@ std::vector<AxisTick> linear_ticks(double low, double high, int most) {
   return ticks;
 }
 
-std::vector<AxisTick> logarithmic_ticks(double low, double high) {
+std::vector<Tick> logarithmic_ticks(double low, double high) {
   const int first = static_cast<int>(std::floor(std::log10(low)));
   const int last = static_cast<int>(std::ceil(std::log10(high)));
   const bool few = std::floor(std::log10(high) + slack) - std::ceil(std::log10(low) - slack) < 1;
-  std::vector<AxisTick> ticks;
+  std::vector<Tick> ticks;
   for (int exponent = first; exponent <= last; ++exponent)
     for (int digit = 1; digit <= 9; ++digit) {
       const double value = digit * std::pow(10.0, exponent);
