@@ -115,6 +115,7 @@ void copy_movie(const std::filesystem::path& from, const std::filesystem::path& 
     av_packet_rescale_ts(packet.get(), source->time_base, target->time_base);
     packet->pos = -1;
     require(av_write_frame(output.get(), packet.get()), writing);
+    av_packet_unref(packet.get());  // the next read would not, and the whole movie would stay in memory
   }
   if (code != AVERROR_EOF) require(code, reading);
   require(av_write_trailer(output.get()), writing);
