@@ -51,12 +51,12 @@ void ProgressReport::show(const Progress& progress) {
     weir::say(facts(progress));
   } else {
     print_progress_json({{"event", "progress"},
-                {"time_s", progress.time},
-                {"duration_s", progress.duration},
-                {"step", progress.step},
-                {"pictures", progress.frame},
-                {"of_pictures", progress.frames},
-                {"wall_time_left_s", progress.wall_time_left}});
+                         {"time_s", progress.time},
+                         {"duration_s", progress.duration},
+                         {"step", progress.step},
+                         {"pictures", progress.frame},
+                         {"of_pictures", progress.frames},
+                         {"wall_time_left_s", progress.wall_time_left}});
   }
 }
 
@@ -95,9 +95,9 @@ void ProgressReport::end(const RunResult& result) {
   clear_bar();
   if (style_ == ProgressStyle::json) {
     print_progress_json({{"event", "end"},
-                {"exit", static_cast<int>(result.exit)},
-                {"text", result.message},
-                {"folder", result.folder.string()}});
+                         {"exit", static_cast<int>(result.exit)},
+                         {"text", result.message},
+                         {"folder", result.folder.string()}});
   } else if (result.exit == ExitCode::done) {
     weir::say(result.message);
   } else {
