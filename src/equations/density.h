@@ -3,9 +3,17 @@
 // [Hinsch24] J. Hinsch, A Simple 2D SPH Fluid Solver, University of Freiburg, 2024.
 #pragma once
 
+#include <cmath>
+
 #include "core/types.h"
 
 namespace weir {
+
+// The mass of a particle that stands for a cell of a lattice of spacing dx, kg (per metre of depth in 2D).
+// [Hinsch24 ch. 6.5, mass]
+inline double lattice_mass(double rest_density, double dx, int dimension) {
+  return rest_density * std::pow(dx, dimension);
+}
 
 // What a particle of mass m_j at kernel value w_ij adds to rho_i, kg/m^Dim; the particle itself and walls add too.
 // [Hinsch24 eq. 4.3]

@@ -1,7 +1,11 @@
 #include "run/run_folder.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <cmath>
 #include <regex>
 #include <system_error>
@@ -48,6 +52,10 @@ std::string effective_scene_text(const Scene& scene) { return std::string(mark) 
 std::int64_t frame_at(const Scene& scene, double time) { return std::llround(time * scene.render.fps); }
 
 RunFolder::RunFolder(fs::path folder, const Scene& scene) : folder_(std::move(folder)), scene_(scene) {}
+
+RunFolder::~RunFolder() {
+  if (lock_ >= 0) close(lock_);
+}
 
 fs::path RunFolder::movie_file() const { return folder_ / (scene_.name + ".mp4"); }
 
@@ -120,18 +128,31 @@ void RunFolder::make(const fs::path& folder) {
   made_.push_back(folder);
 }
 
+void RunFolder::lock() {
+  lock_ = open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (lock_ < 0) throw_file_error("open folder", folder_);
+  // Some network file systems have no locks; a run there goes without.
+  if (flock(lock_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  close(lock_);
+  lock_ = -1;
+  throw UsageError(fmt::format(
+      "another process is writing a run into {} now: wait for it, or choose another folder with -o", folder_.string()));
+}
+
 void RunFolder::prepare() {
+  make(folder_);
+  lock();
   for (const fs::path& file : files_of_runs()) {
     std::error_code failed;
     fs::remove(file, failed);
     if (failed) throw OutputError(fmt::format("cannot remove {}: {}", file.string(), failed.message()));
   }
-  make(folder_);
   if (scene_.output.frames) make(folder_ / "frames");
   if (!scene_.output.stills.empty()) make(folder_ / "stills");
 }
 
 void RunFolder::withdraw() {
+  if (lock_ < 0) return;        // prepare() left all as it was
   std::error_code not_removed;  // the trouble that led here is the one to tell
   for (const fs::path& file : files_of_runs()) fs::remove(file, not_removed);
   for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) fs::remove(*folder, not_removed);

@@ -22,6 +22,9 @@ std::optional<Manifest> past_run(const std::filesystem::path& manifest_file);
 class RunFolder {
  public:
   RunFolder(std::filesystem::path folder, const Scene& scene);
+  ~RunFolder();
+  RunFolder(const RunFolder&) = delete;
+  RunFolder& operator=(const RunFolder&) = delete;
 
   const std::filesystem::path& path() const { return folder_; }
   std::filesystem::path scene_file() const { return folder_ / "scene.yaml"; }
@@ -36,8 +39,8 @@ class RunFolder {
   // Throws UsageError if files of a run stand here that may not be overwritten.
   void refuse_other_run(bool force) const;
 
-  // Makes the folder and those below it, and removes what an earlier run wrote, never anything else. Throws
-  // OutputError.
+  // Makes the folder and those below it, takes it for this run, and removes what an earlier run wrote, never anything
+  // else. Throws OutputError, and UsageError when another process is writing a run here at this moment.
   void prepare();
   // After prepare(), when the run cannot begin: removes its files and the folders that prepare() made.
   void withdraw();
@@ -46,10 +49,12 @@ class RunFolder {
   std::vector<std::filesystem::path> files_of_runs() const;
   std::vector<std::filesystem::path> products() const;
   void make(const std::filesystem::path& folder);
+  void lock();
 
   std::filesystem::path folder_;
   const Scene& scene_;
   std::vector<std::filesystem::path> made_;
+  int lock_ = -1;  // descriptor of the folder while it is ours; the kernel lets go of it when the process ends
 };
 
 // Index of the frame at `time` s of run time.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "equations/density.h"
+#include "equations/energy.h"
 #include "equations/state.h"
 #include "scene/geometry.h"
 
@@ -47,7 +49,7 @@ double fall(const Scene& scene, const Vec3& gravity, double first_speed) {
   const double free = free_speed * free_speed - first_speed * first_speed;
   const double height = std::max(walls.high, fluid.high) - fluid.low;
   const bool floor = walls.high >= fluid.high;
-  return floor && height > 0 ? std::min(free, 2 * g * height) : free;
+  return floor && height > 0 ? std::min(free, speed_squared_of_fall(g, height)) : free;
 }
 
 double initial_speed(const Scene& scene) {
@@ -67,7 +69,7 @@ double smoothing_length(const Scene& scene) { return scene.solver.kernel.smoothi
 double support_radius(const Scene& scene) { return 2 * smoothing_length(scene); }
 
 double particle_mass(const Scene& scene) {
-  return scene.fluid.rest_density * std::pow(scene.particle_spacing, scene.dimension);
+  return lattice_mass(scene.fluid.rest_density, scene.particle_spacing, scene.dimension);
 }
 
 int wall_layers(const Scene& scene, const Wall& wall) {
@@ -104,8 +106,8 @@ double max_speed_estimate(const Scene& scene) {
     if (event.set.gravity) gained = std::max(gained, fall(scene, *event.set.gravity, first));
     if (event.set.surface_tension && cohesive) tension = std::max(tension, *event.set.surface_tension);
   }
-  // s / dx^d is the energy per mass that cohesion can turn into motion, up to a factor near one.
-  return std::sqrt(first * first + gained + tension / std::pow(scene.particle_spacing, scene.dimension));
+  return std::sqrt(first * first + gained +
+                   speed_squared_of_cohesion(tension, scene.particle_spacing, scene.dimension));
 }
 
 bool draws(const Scene& scene) {

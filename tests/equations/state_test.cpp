@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "equations/density.h"
 #include "equations/energy.h"
 
 namespace weir {
@@ -37,6 +40,18 @@ TEST(Energy, OfAFallingParticleIsConserved) {
   const Vec<2, double> x{0, 2 - 0.5 * 9.81 * t * t};
   const Vec<2, double> v{0, -9.81 * t};
   EXPECT_NEAR(kinetic_energy(2.5, v) + potential_energy(2.5, g, x), 2.5 * 9.81 * 2, 1e-12);
+}
+
+TEST(Energy, OfAFallBecomesSpeedAndThatStagnationPressure) {
+  // A column of height H = 0.5 m: v = sqrt(2 g H) and rho g H, [Torricelli] and [Bernoulli].
+  const double v2 = speed_squared_of_fall(9.81, 0.5);
+  EXPECT_DOUBLE_EQ(std::sqrt(v2), 3.132091952673165);
+  EXPECT_DOUBLE_EQ(dynamic_pressure(1000, std::sqrt(v2)), 4905);
+}
+
+TEST(Density, OfALatticeIsItsMassOverItsVolume) {
+  EXPECT_DOUBLE_EQ(lattice_mass(1000, 0.1, 2), 10);
+  EXPECT_DOUBLE_EQ(lattice_mass(1000, 0.1, 3), 1);
 }
 
 }  // namespace

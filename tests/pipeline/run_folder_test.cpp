@@ -77,6 +77,15 @@ TEST_F(Folder, RefusesADifferentRun) {
   EXPECT_EQ(run(scene_, options_).exit, ExitCode::done);
 }
 
+TEST_F(Folder, BelongsToOneRunAtATime) {
+  RunFolder other(folder_, scene_);
+  other.prepare();
+  put(folder_ / "log.csv", "what the other run has written so far");
+  options_.force = true;
+  EXPECT_THAT(refusal(), HasSubstr("another process is writing a run into " + folder_.string() + " now"));
+  EXPECT_EQ(read_file(folder_ / "log.csv"), "what the other run has written so far");
+}
+
 TEST_F(Folder, RefusesARunThatEndedBadly) {
   behave({.diverge_in_step = 2});
   EXPECT_EQ(run(scene_, options_).exit, ExitCode::diverged);

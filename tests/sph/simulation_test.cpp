@@ -159,6 +159,20 @@ TEST(Simulation, NamesWhatDivergedWhenAndWhatToTry) {
   EXPECT_NE(text.find("try a smaller solver.time_step.fixed"), std::string::npos) << text;
 }
 
+TEST(Simulation, NamesAParticleWhoseVelocityIsNoNumber) {
+  Scene scene = small_dam_break(2, 0.02);
+  scene.solver.compressibility = Stiffness{1e39};  // pressures overflow, and their differences are no numbers
+  scene.solver.time_step = FixedStep{1e-4};
+  const auto simulation = make_simulation(scene, 2);
+  std::string text;
+  try {
+    for (int i = 0; i < 10; ++i) simulation->step();
+  } catch (const SimulationError& error) {
+    text = error.what();
+  }
+  EXPECT_NE(text.find("has a velocity that is no longer a finite number"), std::string::npos) << text;
+}
+
 TEST(Simulation, LogsTheLimitThatBinds) {
   const auto limit = [](Scene scene) {
     const auto simulation = make_simulation(scene, 1);
