@@ -8,7 +8,7 @@
 #include "core/team.h"
 #include "output/sink.h"
 #include "render/renderer.h"
-#include "run/instruction_set.h"
+#include "simd/instruction_set.h"
 
 namespace weir {
 
@@ -16,7 +16,9 @@ namespace {
 
 struct Facts {
   std::string processor;
-  std::vector<std::string> features;  // of the processor, among those that matter to a solver
+  std::vector<std::string> features;               // of the processor, among those that matter to a solver
+  std::string_view instruction_set;                // that the solver uses
+  std::vector<std::string_view> instruction_sets;  // that it could
   int threads = 0;
   std::vector<DeviceTrial> devices;
   std::string device_error;
@@ -44,6 +46,8 @@ void read_processor(Facts& facts) {
 Facts gather() {
   Facts facts;
   read_processor(facts);
+  facts.instruction_set = name_of(default_instruction_set());
+  for (const InstructionSet set : usable_instruction_sets()) facts.instruction_sets.push_back(name_of(set));
   facts.threads = thread_count(0);
   try {
     facts.devices = list_devices();
@@ -69,7 +73,8 @@ int chosen_device(const Facts& facts) {
 void print_text(const Facts& facts) {
   fmt::print("weir        {}\n", WEIR_VERSION);
   fmt::print("processor   {}\n", facts.processor.empty() ? "unknown" : facts.processor);
-  fmt::print("features    {} in use; the processor has {}\n", instruction_set(), fmt::join(facts.features, " "));
+  fmt::print("solver      {} instructions (of {})\n", facts.instruction_set, fmt::join(facts.instruction_sets, ", "));
+  fmt::print("features    {}\n", fmt::join(facts.features, " "));
   fmt::print("threads     {}\n", facts.threads);
   const int chosen = chosen_device(facts);
   if (chosen < 0) fmt::print("OpenGL      none usable: no pictures can be drawn\n");
@@ -96,7 +101,8 @@ void print_json(const Facts& facts) {
   json["version"] = WEIR_VERSION;
   json["processor"] = facts.processor;
   json["features"] = facts.features;
-  json["instruction_set"] = instruction_set();
+  json["instruction_set"] = facts.instruction_set;
+  json["instruction_sets"] = facts.instruction_sets;
   json["threads"] = facts.threads;
   json["devices"] = Json::array();
   for (const DeviceTrial& trial : facts.devices) {

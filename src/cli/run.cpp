@@ -22,6 +22,7 @@ struct RunCommand {
   std::string progress = "auto";
   std::string max_wall_time;
   std::string device;
+  std::string instruction_set;
 };
 
 const std::map<std::string, ProgressStyle>& progress_styles() {
@@ -40,6 +41,7 @@ ExitCode run_scene(const RunCommand& options) {
   run_options.force = options.force;
   if (!options.max_wall_time.empty()) run_options.max_wall_time = parse_wall_time(options.max_wall_time);
   run_options.device = device_choice(options.device);
+  if (!options.instruction_set.empty()) run_options.instruction_set = instruction_set_by_name(options.instruction_set);
   run_options.stop = &catch_stop_signals();
 
   ProgressReport report(progress_styles().at(options.progress));
@@ -72,6 +74,11 @@ void add_run(CLI::App& program, Action& action) {
       ->add_option("--max-wall-time", options->max_wall_time, "Stop in good order after this time: 90, 90s, 15m or 2h")
       ->type_name("TIME");
   add_gl_device(*command, options->device);
+  command
+      ->add_option(
+          "--instruction-set", options->instruction_set,
+          "Instructions to solve with: baseline, avx2 or avx512; by default WEIR_INSTRUCTION_SET, else the best here")
+      ->type_name("NAME");
   add_unbuilt_flag(*command, "--resume");
   command->footer(
       "The run folder is printed to standard output; everything else goes to standard error.\n"

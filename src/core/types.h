@@ -4,10 +4,11 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
+#include "core/math.h"
+
 namespace weir {
 
-// Per-particle quantities and pair sums. Positions are kept in double and only their differences are rounded to Real,
-// so that a large domain costs no accuracy.
+// Per-particle quantities and pair sums.
 using Real = float;
 
 // A vector of the solver. T is a number or, in vectorised loops, a register of them; that is why this is not GLM's.
@@ -34,7 +35,7 @@ struct Vec {
   }
   friend constexpr T dot(const Vec& a, const Vec& b) {
     T sum = a.e[0] * b.e[0];
-    for (int d = 1; d < Dim; ++d) sum += a.e[d] * b.e[d];
+    for (int d = 1; d < Dim; ++d) sum = multiply_add(a.e[d], b.e[d], sum);
     return sum;
   }
 };

@@ -32,7 +32,7 @@ struct CubicSpline {
   static R shape(R q) {
     const R a = positive_part(R(2) - q);
     const R b = positive_part(R(1) - q);
-    return a * a * a - R(4) * (b * b * b);
+    return multiply_add(R(-4), b * b * b, a * a * a);
   }
   // (dW/dq) / (alpha q). [Hinsch24 ch. 4.2, derivative]
   template <class R>
@@ -41,7 +41,7 @@ struct CubicSpline {
     constexpr float tiny = 1e-12F;
     const R a = positive_part(R(2) - q);
     const R b = positive_part(R(1) - q);
-    return (R(-3) * (a * a) + R(12) * (b * b)) / (positive_part(q - R(tiny)) + R(tiny));
+    return multiply_add(R(12), b * b, R(-3) * (a * a)) / (positive_part(q - R(tiny)) + R(tiny));
   }
 };
 
@@ -57,15 +57,15 @@ struct WendlandC2 {
   // W / alpha: (1 - q/2)^4 (1 + 2q), in 1D (1 - q/2)^3 (1 + 3q/2). [Wendland95, C2]
   template <class R>
   static R shape(R q) {
-    const R t = positive_part(R(1) - R(0.5) * q);
-    if constexpr (Dim == 1) return t * t * t * (R(1) + R(1.5) * q);
+    const R t = positive_part(multiply_add(R(-0.5), q, R(1)));
+    if constexpr (Dim == 1) return t * t * t * multiply_add(R(1.5), q, R(1));
     const R t2 = t * t;
-    return t2 * t2 * (R(1) + R(2) * q);
+    return t2 * t2 * multiply_add(R(2), q, R(1));
   }
   // (dW/dq) / (alpha q): -5 (1 - q/2)^3, in 1D -3 (1 - q/2)^2. [Wendland95, C2 derivative]
   template <class R>
   static R slope_over_q(R q) {
-    const R t = positive_part(R(1) - R(0.5) * q);
+    const R t = positive_part(multiply_add(R(-0.5), q, R(1)));
     if constexpr (Dim == 1) return R(-3) * (t * t);
     return R(-5) * (t * t * t);
   }
@@ -81,8 +81,14 @@ class KernelAt {
   // W(r), m^-Dim.
   template <class V>
   V value(V r) const {
-    return V(alpha_) * Shape::shape(r * V(inverse_h_));
+    return V(alpha_) * shape(r);
   }
+  // W(r) / alpha, for sums that are multiplied by alpha once.
+  template <class V>
+  V shape(V r) const {
+    return Shape::shape(r * V(inverse_h_));
+  }
+  R alpha() const { return alpha_; }  // m^-Dim
   // W'(r) / r, m^-(Dim + 2); never positive.
   template <class V>
   V derivative_over_r(V r) const {

@@ -16,15 +16,17 @@ namespace weir {
 // 0.01 h^2 keeps the quotients of the viscosities finite when two particles meet. [Morris97, softening]
 constexpr double viscosity_softening = 0.01;
 
-// The consistent viscosities take the neighbour's volume with the pair's mean density instead of rho_j alone: the
-// forces of a pair are then opposite, and momentum is conserved to round-off; the difference is of second order.
-// V_ij = 2 m_j / (rho_i + rho_j), m^Dim. [Monaghan05, mean density]
+// The consistent viscosities take the neighbour's volume with the pair's mean density instead of rho_j alone,
+// V_ij = m_j / rho_ij: the forces of a pair are then opposite, and momentum is conserved to round-off; the difference is
+// of second order.
+// rho_ij = (rho_i + rho_j) / 2, kg/m^Dim. [Monaghan05, mean density]
 template <int Dim, class R>
-R pair_volume(const Pair<Dim, R>& pair) {
-  return R(2) * pair.m_j / (pair.rho_i + pair.rho_j);
+R mean_density(const Pair<Dim, R>& pair) {
+  return R(0.5) * (pair.rho_i + pair.rho_j);
 }
 
 struct Pressure {
+  static constexpr bool action_is_reaction = true;
   Real m;  // mass of a particle, kg
 
   // -m_j (p_i/rho_i^2 + p_j/rho_j^2) grad W_ij, m/s^2. [Hinsch24 Alg. 1, fluid]
@@ -39,73 +41,87 @@ struct Pressure {
   }
 };
 
+// Viscosities act from fluid and, where walls hold the fluid (no slip), from walls: a wall particle then acts as fluid
+// that has the wall's velocity. Quotients are formed once per pair: divisions are what loops over pairs wait for.
+
 // Consistent at any h/dx, 100.5 % of nu lap u on the lattice at h = dx; conserves linear momentum.
 struct MorrisViscosity {
+  static constexpr bool action_is_reaction = true;
   Real two_nu;     // 2 nu, m^2/s
   Real softening;  // viscosity_softening h^2, m^2
 
+  template <int Dim>
+  static MorrisViscosity of(double nu, double h) {
+    return {static_cast<Real>(2 * nu), static_cast<Real>(viscosity_softening * h * h)};
+  }
+
   // 2 nu V_ij u_ij (x_ij . grad W_ij) / (r^2 + 0.01 h^2), m/s^2. [Morris97, viscosity]
   template <int Dim, class R>
-  Vec<Dim, R> acceleration(const Pair<Dim, R>& pair) const {
-    return (R(two_nu) * pair_volume(pair) * (pair.r2 * pair.dw_over_r) / (pair.r2 + R(softening))) * pair.v_ij;
+  Vec<Dim, R> from_fluid(const Pair<Dim, R>& pair) const {
+    const R numerator = R(two_nu) * pair.m_j * (pair.r2 * pair.dw_over_r);
+    return (numerator / (mean_density(pair) * (pair.r2 + R(softening)))) * pair.v_ij;
+  }
+  template <int Dim, class R>
+  Vec<Dim, R> from_wall(const Pair<Dim, R>& pair) const {
+    return from_fluid(pair);
   }
 };
 
-// What Monaghan's form and the seed's share: (u_ij . x_ij) / (r^2 + softening) grad W_ij, s^-1 m^-Dim.
+// What Monaghan's form and the seed's share: factor m_j / rho (u_ij . x_ij) / (r^2 + softening) grad W_ij, m/s^2.
 // [Monaghan05, central friction]
 template <int Dim, class R>
-Vec<Dim, R> central_friction(const Pair<Dim, R>& pair, R softening) {
-  return (dot(pair.v_ij, pair.x_ij) / (pair.r2 + softening) * pair.dw_over_r) * pair.x_ij;
+Vec<Dim, R> central_friction(const Pair<Dim, R>& pair, R factor, R rho, R softening) {
+  const R numerator = factor * pair.m_j * (dot(pair.v_ij, pair.x_ij) * pair.dw_over_r);
+  return (numerator / (rho * (pair.r2 + softening))) * pair.x_ij;
 }
 
 // Consistent from h = 2 dx on (96 % there, 66 % at h = dx); conserves linear and angular momentum.
 struct MonaghanViscosity {
+  static constexpr bool action_is_reaction = true;
   Real factor;     // 2 (Dim + 2) nu, m^2/s
   Real softening;  // viscosity_softening h^2, m^2
 
+  template <int Dim>
+  static MonaghanViscosity of(double nu, double h) {
+    return {static_cast<Real>(2 * (Dim + 2) * nu), static_cast<Real>(viscosity_softening * h * h)};
+  }
+
   // 2 (Dim + 2) nu V_ij (u_ij . x_ij) / (r^2 + 0.01 h^2) grad W_ij, m/s^2. [Monaghan05, viscosity]
   template <int Dim, class R>
-  Vec<Dim, R> acceleration(const Pair<Dim, R>& pair) const {
-    return (R(factor) * pair_volume(pair)) * central_friction(pair, R(softening));
+  Vec<Dim, R> from_fluid(const Pair<Dim, R>& pair) const {
+    return central_friction(pair, R(factor), mean_density(pair), R(softening));
+  }
+  template <int Dim, class R>
+  Vec<Dim, R> from_wall(const Pair<Dim, R>& pair) const {
+    return from_fluid(pair);
   }
 };
 
 // As printed, with factor 2 where 2 (Dim + 2) is consistent: only 16 % of nu lap u at h = dx in 2D. For the seed's
 // pictures, not for accuracy.
 struct SeedAViscosity {
-  Real two_nu;     // 2 nu, m^2/s
-  Real softening;  // viscosity_softening h^2, m^2
+  static constexpr bool action_is_reaction = false;  // rho_j alone
+  Real two_nu;                                       // 2 nu, m^2/s
+  Real softening;                                    // viscosity_softening h^2, m^2
+
+  template <int Dim>
+  static SeedAViscosity of(double nu, double h) {
+    return {static_cast<Real>(2 * nu), static_cast<Real>(viscosity_softening * h * h)};
+  }
 
   // 2 nu m_j / rho_j (u_ij . x_ij) / (r^2 + 0.01 h^2) grad W_ij, m/s^2. [Hinsch24 eq. 4.5]
   template <int Dim, class R>
-  Vec<Dim, R> acceleration(const Pair<Dim, R>& pair) const {
-    return (R(two_nu) * pair.m_j / pair.rho_j) * central_friction(pair, R(softening));
-  }
-};
-
-// Viscosity with walls that hold the fluid (no slip): a wall particle acts as fluid that has the wall's velocity.
-template <class Viscosity>
-struct NoSlip : Viscosity {
-  template <int Dim, class R>
   Vec<Dim, R> from_fluid(const Pair<Dim, R>& pair) const {
-    return Viscosity::acceleration(pair);
+    return central_friction(pair, R(two_nu), pair.rho_j, R(softening));
   }
   template <int Dim, class R>
   Vec<Dim, R> from_wall(const Pair<Dim, R>& pair) const {
-    return Viscosity::acceleration(pair);
-  }
-};
-
-// Viscosity with walls that let the fluid slip: it acts within the fluid only.
-template <class Viscosity>
-struct FreeSlip : Viscosity {
-  template <int Dim, class R>
-  Vec<Dim, R> from_fluid(const Pair<Dim, R>& pair) const {
-    return Viscosity::acceleration(pair);
+    return from_fluid(pair);
   }
 };
 
 struct SeedASurfaceTension {
+  static constexpr bool action_is_reaction = true;
   Real s;  // strength, m^(Dim + 2)/s^2
 
   // s grad W_ij, fluid neighbours only: points into the fluid where neighbours lack on one side. [Hinsch24 Alg. 2]

@@ -28,11 +28,12 @@ inline double force_limit(double factor, double h, double a_max) { return factor
 // dt <= factor h^2 / nu, s. [Morris97, time step]
 inline double viscous_limit(double factor, double h, double nu) { return factor * h * h / nu; }
 
-// Euler-Cromer: velocity first, then position with the new velocity. [Hinsch24 Alg. 3]
-template <int Dim>
-void euler_cromer(Vec<Dim, double>& x, Vec<Dim>& v, const Vec<Dim>& a, Real dt) {
-  v += dt * a;
-  x += convert<double>(dt * v);
+// Euler-Cromer: velocity first, then position with the new velocity, of one component. The position x comes with the
+// rounding error that it owes. [Hinsch24 Alg. 3]
+template <class R>
+void euler_cromer(R& x, R& rest, R& v, R a, R dt) {
+  v = multiply_add(dt, a, v);
+  compensated_add(x, rest, dt * v);
 }
 
 }  // namespace weir

@@ -8,7 +8,7 @@
 
 namespace weir {
 
-// The fluid at exactly index / fps seconds of run time, in the order of particle ids.
+// The fluid at exactly index / fps seconds of run time, in the solver's order, in which neighbours stand near each other.
 struct Frame {
   std::int64_t index = 0;
   double time = 0;                   // run time, s

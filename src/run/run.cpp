@@ -10,7 +10,6 @@
 #include "output/file.h"
 #include "output/log.h"
 #include "output/manifest.h"
-#include "run/instruction_set.h"
 #include "run/log_schedule.h"
 #include "run/pictures.h"
 #include "run/run_folder.h"
@@ -96,7 +95,8 @@ class Session {
 };
 
 void Session::open() {
-  simulation_ = make_simulation(scene_, threads_);
+  simulation_ = make_simulation(scene_, threads_,
+                                options_.instruction_set ? *options_.instruction_set : default_instruction_set());
   if (draws(scene_)) {
     const StillLife still_life = simulation_->still_life();
     pictures_.emplace(scene_, still_life, options_.device);
@@ -267,7 +267,7 @@ Manifest Session::manifest() const {
     facts.encoder = pictures_->encoder();
   }
   facts.max_density_error = max_density_error_;
-  facts.instruction_set = instruction_set();
+  facts.instruction_set = name_of(simulation_->instruction_set());
   facts.wall_time_s.total = since_start_.seconds();
   return facts;
 }

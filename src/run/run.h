@@ -5,11 +5,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "core/error.h"
 #include "render/renderer.h"
 #include "scene/scene.h"
+#include "simd/instruction_set.h"
 
 namespace weir {
 
@@ -23,10 +25,11 @@ struct Progress {
 };
 
 struct RunOptions {
-  std::filesystem::path folder;  // empty: out/<scene name>
-  int threads = 0;               // as for thread_count()
-  bool force = false;            // overwrite another run
-  double max_wall_time = 0;      // s; 0: none
+  std::filesystem::path folder;                   // empty: out/<scene name>
+  int threads = 0;                                // as for thread_count()
+  std::optional<InstructionSet> instruction_set;  // none: default_instruction_set()
+  bool force = false;                             // overwrite another run
+  double max_wall_time = 0;                       // s; 0: none
   DeviceChoice device;
   std::function<void(const Progress&)> progress;    // about ten times a second, on the solver's thread
   std::function<void(const std::string&)> message;  // one line for the user

@@ -1,104 +1,118 @@
 #include "sph/neighbours.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.h"
+#include "sph/engine/engine.h"
+
 namespace weir {
-
-void NeighbourLists::resize(std::size_t particles) {
-  blocks_.resize(block_count(particles));
-  ends_.resize(particles);
-}
-
-void NeighbourLists::end_list(std::size_t b, std::size_t i) {
-  ends_[i] = static_cast<std::uint32_t>(blocks_[b].size());
-}
 
 namespace {
 
-// Appends the points of `ranges` within `reach` of x_i, but for point `self`, to `list`.
-template <int Dim, class Ranges>
-void append_near(const Vec<Dim, double>& x_i, const std::vector<Vec<Dim, double>>& points, const Ranges& ranges,
-                 double reach, std::int32_t self, std::vector<std::int32_t>& list) {
-  for (const PointRange& range : ranges) {
-    for (std::int32_t j = range.begin; j < range.end; ++j) {
-      const Vec<Dim, double> x_ij = x_i - points[j];
-      if (dot(x_ij, x_ij) < reach * reach && j != self) list.push_back(j);
-    }
+template <int Dim>
+TilesView<Dim> view_of(const Tiling<Dim>& tiling, const Places<Dim>& places,
+                       const std::vector<std::int32_t>& adjacent) {
+  TilesView<Dim> view;
+  view.tiles = tiling.tiles().data();
+  view.tile_count = static_cast<std::int32_t>(tiling.tiles().size());
+  for (int d = 0; d < Dim; ++d) {
+    view.x[d] = places.x[d].data();
+    view.low[d] = tiling.low()[d].data();
+    view.high[d] = tiling.high()[d].data();
   }
+  view.columns = tiling.all_columns().data();
+  view.coordinates = tiling.all_coordinates().data();
+  view.adjacent = adjacent.data();
+  return view;
 }
 
 }  // namespace
 
 template <int Dim>
 Neighbours<Dim>::Neighbours(const Settings& settings, Team& team, WallParticles<Dim>& walls)
-    : settings_(settings), team_(team) {
-  const std::vector<std::int32_t> order = wall_grid_.sort(walls.position, settings.support_radius + settings.skin);
-  std::vector<Vec<Dim, double>> sorted;
-  sorted.reserve(order.size());
-  for (const std::int32_t k : order) sorted.push_back(walls.position[k]);
-  walls.position.swap(sorted);
+    : settings_(settings),
+      team_(team),
+      fluid_tiling_(TileLattice<Dim>(settings.particle_spacing, settings.support_radius + settings.skin)),
+      wall_tiling_(fluid_tiling_.lattice()) {
+  wall_tiling_.sort(walls, team);
 }
 
 template <int Dim>
-bool Neighbours<Dim>::still_right(const FluidParticles<Dim>& fluid) const {
-  if (position_at_build_.size() != fluid.size()) return false;
-  // Two particles come closer by at most twice the largest displacement since the lists were made.
-  const double limit = 0.25 * settings_.skin * settings_.skin;
-  return parallel_reduce(
-      fluid.size(), team_, true,
-      [&](std::size_t begin, std::size_t end) {
-        bool near = true;
-        for (std::size_t i = begin; i < end; ++i) {
-          const Vec<Dim, double> moved = fluid.position[i] - position_at_build_[i];
-          near = near && dot(moved, moved) <= limit;
-        }
-        return near;
-      },
-      [](bool a, bool b) { return a && b; });
+bool Neighbours<Dim>::still_right(const Displacements<Dim>& moved) const {
+  if (!made_) return false;
+  // Places far from the centre of their tile would lose digits.
+  const double half_edge = 0.5 * fluid_tiling_.lattice().edge();
+  if (static_cast<double>(moved.longest_squared) > half_edge * half_edge) return false;
+  // Two particles come closer by at most the difference of their displacements: by the diagonal of the box that all
+  // displacements lie in, and by twice the longest. Walls do not move.
+  double diagonal_squared = 0;
+  for (int d = 0; d < Dim; ++d) {
+    double least = moved.least[d];
+    double greatest = moved.greatest[d];
+    if (!wall_tiling_.tiles().empty()) {
+      least = std::min(least, 0.0);
+      greatest = std::max(greatest, 0.0);
+    }
+    diagonal_squared += (greatest - least) * (greatest - least);
+  }
+  const double closer_squared = std::min(diagonal_squared, 4.0 * static_cast<double>(moved.longest_squared));
+  // Displacements are differences of floats: allow for their rounding.
+  constexpr double safe = 0.999;
+  return closer_squared <= safe * settings_.skin * settings_.skin;
 }
 
 template <int Dim>
-void Neighbours<Dim>::update(FluidParticles<Dim>& fluid, const WallParticles<Dim>& walls) {
-  if (!still_right(fluid)) rebuild(fluid, walls);
+void Neighbours<Dim>::update(FluidParticles<Dim>& fluid, const WallParticles<Dim>& walls,
+                             const Displacements<Dim>& moved) {
+  if (!still_right(moved)) rebuild(fluid, walls);
 }
 
 template <int Dim>
 void Neighbours<Dim>::rebuild(FluidParticles<Dim>& fluid, const WallParticles<Dim>& walls) {
   ++rebuilds_;
-  const double reach = settings_.support_radius + settings_.skin;
-  const bool naive = settings_.search == NeighbourSearch::naive;
-  if (!naive) fluid.reorder(fluid_grid_.sort(fluid.position, reach), team_);
-  position_at_build_ = fluid.position;
+  fluid_tiling_.sort(fluid, team_);
+  fluid.follow(fluid_tiling_, team_);
 
-  fluid_lists_.resize(fluid.size());
-  wall_lists_.resize(fluid.size());
-  parallel_blocks(fluid.size(), team_, [&](std::size_t b, std::size_t begin, std::size_t end) {
-    std::vector<std::int32_t>& near_fluid = fluid_lists_.block(b);
-    std::vector<std::int32_t>& near_walls = wall_lists_.block(b);
-    near_fluid.clear();
-    near_walls.clear();
-    typename CellGrid<Dim>::Cell cell{};
-    std::array<PointRange, CellGrid<Dim>::rows> fluid_ranges{};
-    std::array<PointRange, CellGrid<Dim>::rows> wall_ranges{};
-    if (naive) {
-      fluid_ranges[0] = {0, static_cast<std::int32_t>(fluid.size())};
-      wall_ranges[0] = {0, static_cast<std::int32_t>(walls.size())};
-    }
-    for (std::size_t i = begin; i < end; ++i) {
-      const Vec<Dim, double>& x_i = fluid.position[i];
-      if (!naive) {
-        // Both grids have the same cells; particles of one cell stand together.
-        const auto own_cell = fluid_grid_.cell_of(x_i);
-        if (i == begin || own_cell != cell) {
-          cell = own_cell;
-          fluid_ranges = fluid_grid_.neighbourhood(cell);
-          wall_ranges = wall_grid_.neighbourhood(cell);
-        }
-      }
-      append_near<Dim>(x_i, fluid.position, fluid_ranges, reach, static_cast<std::int32_t>(i), near_fluid);
-      append_near<Dim>(x_i, walls.position, wall_ranges, reach, -1, near_walls);
-      fluid_lists_.end_list(b, i);
-      wall_lists_.end_list(b, i);
+  const std::vector<std::int32_t> fluid_beside = fluid_tiling_.adjacent(fluid_tiling_, team_);
+  const std::vector<std::int32_t> walls_beside = wall_tiling_.adjacent(fluid_tiling_, team_);
+  ListInput<Dim> input;
+  input.fluid = view_of(fluid_tiling_, fluid, fluid_beside);
+  input.walls = view_of(wall_tiling_, walls, walls_beside);
+  input.reach = static_cast<float>(settings_.support_radius + settings_.skin);
+  input.edge = static_cast<float>(fluid_tiling_.lattice().edge());
+  input.columns = fluid_tiling_.lattice().columns();
+  input.all_pairs = settings_.search == NeighbourSearch::naive;
+
+  const std::size_t tiles = fluid_tiling_.tiles().size();
+  lists_.fluid.resize(tiles);
+  lists_.walls.resize(tiles);
+  for (int d = 0; d < Dim; ++d) start_[d].resize(fluid.x[d].size());
+  const ListPairs<Dim> list_pairs = loops_for<Dim>(settings_.instruction_set, Terms{}).list_pairs;
+  team_.for_each(tiles, [&](std::size_t tile) {
+    thread_local IntBuffer scratch;
+    list_pairs(input, static_cast<std::int32_t>(tile), lists_.fluid[tile], lists_.walls[tile], scratch);
+    const auto begin = fluid_tiling_.tiles()[tile].begin;
+    const auto end = fluid_tiling_.end_of_slots(tile);
+    for (int d = 0; d < Dim; ++d) {
+      std::copy(fluid.x[d].begin() + begin, fluid.x[d].begin() + end, start_[d].begin() + begin);
     }
   });
+  made_ = true;
+}
+
+template <int Dim>
+PairInput<Dim> Neighbours<Dim>::pairs(const FluidParticles<Dim>& fluid, const WallParticles<Dim>& walls) const {
+  PairInput<Dim> input;
+  input.tiles = fluid_tiling_.tiles().data();
+  for (int d = 0; d < Dim; ++d) {
+    input.x[d] = fluid.x[d].data();
+    input.wall_x[d] = walls.x[d].data();
+  }
+  input.fluid_lists = lists_.fluid.data();
+  input.wall_lists = lists_.walls.data();
+  input.edge = static_cast<float>(fluid_tiling_.lattice().edge());
+  return input;
 }
 
 template class Neighbours<2>;

@@ -1,70 +1,65 @@
-// Who is near whom: for each fluid particle the fluid and the wall particles within the support.
+// Who is near whom: the fluid sorted by space, and lists of pairs within the support and a skin, kept while they are
+// right.
 #pragma once
 
 #include <cstdint>
-#include <span>
-#include <vector>
 
-#include "core/parallel.h"
 #include "scene/scene.h"
-#include "sph/cell_grid.h"
+#include "simd/instruction_set.h"
+#include "sph/pair_lists.h"
 #include "sph/particles.h"
+#include "sph/tiling.h"
 
 namespace weir {
 
-// For each particle of the fluid a list of places in another array, in blocks of `block_size` particles.
-class NeighbourLists {
- public:
-  std::span<const std::int32_t> of(std::size_t i) const {
-    const std::uint32_t begin = i % block_size == 0 ? 0 : ends_[i - 1];
-    return {blocks_[i / block_size].data() + begin, ends_[i] - begin};
-  }
-
-  void resize(std::size_t particles);
-  // Lists are appended in the order of particles within a block; blocks are independent.
-  std::vector<std::int32_t>& block(std::size_t b) { return blocks_[b]; }
-  void end_list(std::size_t b, std::size_t i);
-
- private:
-  std::vector<std::vector<std::int32_t>> blocks_;
-  std::vector<std::uint32_t> ends_;  // of particle i's list in its block
+// How far particles have moved since lists were made: the box of all displacements, and the longest.
+template <int Dim>
+struct Displacements {
+  Vec<Dim> least{};           // m
+  Vec<Dim> greatest{};        // m
+  float longest_squared = 0;  // m^2
 };
 
 template <int Dim>
 class Neighbours {
  public:
-  // Lists reach `skin` (m) beyond `support_radius` (m) and are kept until two particles could have come that much
-  // closer.
+  // Lists reach `skin` (m) beyond `support_radius` (m).
   struct Settings {
+    double particle_spacing = 0;
     double support_radius = 0;
     double skin = 0;
     NeighbourSearch search = NeighbourSearch::index_sort;
+    InstructionSet instruction_set = InstructionSet::baseline;
   };
   // Sorts the walls by space, once.
   Neighbours(const Settings& settings, Team& team, WallParticles<Dim>& walls);
 
-  // Makes the lists right for the particles' positions. Sorts the particles by space whenever lists are made anew.
-  void update(FluidParticles<Dim>& fluid, const WallParticles<Dim>& walls);
+  // Makes the lists right after the particles moved by up to `moved` since they were made. Sorts the particles whenever
+  // lists are made anew. Throws std::range_error for particles that have flown too far.
+  void update(FluidParticles<Dim>& fluid, const WallParticles<Dim>& walls, const Displacements<Dim>& moved);
 
-  const NeighbourLists& fluid() const { return fluid_lists_; }  // j != i, within support_radius + skin
-  const NeighbourLists& walls() const { return wall_lists_; }
-
+  // The lists were made for these places; displacements count from there.
+  const std::array<AlignedVector<float>, Dim>& start() const { return start_; }
   std::int64_t rebuilds() const { return rebuilds_; }
   // Positions jumped (a reset): make lists anew at the next update.
-  void forget() { position_at_build_.clear(); }
+  void forget() { made_ = false; }
+
+  const Tiling<Dim>& tiling() const { return fluid_tiling_; }
+  PairInput<Dim> pairs(const FluidParticles<Dim>& fluid, const WallParticles<Dim>& walls) const;
+  const PairLists& lists() const { return lists_; }
 
  private:
-  bool still_right(const FluidParticles<Dim>& fluid) const;
+  bool still_right(const Displacements<Dim>& moved) const;
   void rebuild(FluidParticles<Dim>& fluid, const WallParticles<Dim>& walls);
 
   Settings settings_;
   Team& team_;
-  CellGrid<Dim> fluid_grid_;
-  CellGrid<Dim> wall_grid_;
-  NeighbourLists fluid_lists_;
-  NeighbourLists wall_lists_;
-  std::vector<Vec<Dim, double>> position_at_build_;
+  Tiling<Dim> fluid_tiling_;
+  Tiling<Dim> wall_tiling_;
+  PairLists lists_;
+  std::array<AlignedVector<float>, Dim> start_;
   std::int64_t rebuilds_ = 0;
+  bool made_ = false;
 };
 
 extern template class Neighbours<2>;

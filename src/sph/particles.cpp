@@ -1,27 +1,25 @@
 #include "sph/particles.h"
 
-#include "core/parallel.h"
-
 namespace weir {
 
-namespace {
-
-template <class T>
-void gather(std::vector<T>& values, const std::vector<std::int32_t>& order, Team& team) {
-  std::vector<T> sorted(values.size());
-  parallel_blocks(values.size(), team, [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) sorted[k] = values[order[k]];
-  });
-  values.swap(sorted);
-}
-
-}  // namespace
-
 template <int Dim>
-void FluidParticles<Dim>::reorder(const std::vector<std::int32_t>& order, Team& team) {
-  gather(position, order, team);
-  gather(velocity, order, team);
-  gather(id, order, team);
+void FluidParticles<Dim>::follow(const Tiling<Dim>& tiling, Team& team) {
+  const std::size_t slots = tiling.slots() + group_size;  // the slack that whole registers may read
+  density.resize(slots);
+  pressure.resize(slots);
+  for (int d = 0; d < Dim; ++d) {
+    // The accelerations of before the sort are of no use any more: their memory takes the sorted velocities.
+    acceleration[d].resize(slots);
+    team.for_each(tiling.tiles().size(), [&](std::size_t tile) {
+      const auto end = static_cast<std::size_t>(tiling.end_of_slots(tile));
+      for (auto slot = static_cast<std::size_t>(tiling.tiles()[tile].begin); slot < end; ++slot) {
+        const std::int32_t from = tiling.order()[slot];
+        acceleration[d][slot] = from < 0 ? 0.0F : velocity[d][static_cast<std::size_t>(from)];
+      }
+    });
+    std::swap(velocity[d], acceleration[d]);
+    acceleration[d].resize(slots);
+  }
 }
 
 template struct FluidParticles<2>;

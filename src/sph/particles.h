@@ -1,39 +1,46 @@
-// The particles of a run, one array per quantity.
+// The particles of a run, one array per quantity and component.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
+#include "core/aligned.h"
 #include "core/team.h"
-#include "core/types.h"
+#include "sph/places.h"
+#include "sph/tiling.h"
 
 namespace weir {
 
-// Fluid. The arrays share one order, which follows space and changes when neighbours are sorted; `id` is the particle's
-// number in the scene's order and travels with it.
+// Fluid. The arrays share one order of slots, which follows space and changes when particles are sorted. Empty slots
+// hold zero velocity.
 template <int Dim>
-struct FluidParticles {
-  std::vector<Vec<Dim, double>> position;  // m
-  std::vector<Vec<Dim>> velocity;          // m/s
-  std::vector<std::int32_t> id;
+struct FluidParticles : Places<Dim> {
+  std::array<AlignedVector<float>, Dim> velocity;  // m/s
+  std::size_t count = 0;                           // particles; slots() is a little more
+
   // Worked out anew in every step:
-  std::vector<Real> density;           // kg/m^Dim
-  std::vector<Real> pressure;          // p / rho^2
-  std::vector<Vec<Dim>> acceleration;  // m/s^2
+  AlignedVector<float> density;                        // kg/m^Dim
+  AlignedVector<float> pressure;                       // p / rho^2
+  std::array<AlignedVector<float>, Dim> acceleration;  // m/s^2
 
-  std::size_t size() const { return position.size(); }
+  Vec<Dim> velocity_of(std::size_t slot) const { return of(velocity, slot); }
+  Vec<Dim> acceleration_of(std::size_t slot) const { return of(acceleration, slot); }
 
-  // The particle order[k] comes to place k. Quantities that every step works out are not carried along.
-  void reorder(const std::vector<std::int32_t>& order, Team& team);
+  // After the places were sorted: what travels with a particle follows, what is worked out anew gets its size.
+  void follow(const Tiling<Dim>& tiling, Team& team);
+
+ private:
+  static Vec<Dim> of(const std::array<AlignedVector<float>, Dim>& values, std::size_t slot) {
+    Vec<Dim> value{};
+    for (int d = 0; d < Dim; ++d) value[d] = values[d][slot];
+    return value;
+  }
 };
 
-// Walls do not move and have no state: their particles are positions alone.
+// Walls do not move and have no state: their particles are places alone.
 template <int Dim>
-struct WallParticles {
-  std::vector<Vec<Dim, double>> position;  // m
-  std::size_t size() const { return position.size(); }
-};
+using WallParticles = Places<Dim>;
 
 extern template struct FluidParticles<2>;
 extern template struct FluidParticles<3>;

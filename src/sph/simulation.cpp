@@ -46,13 +46,13 @@ struct StepChoice {
 template <int Dim>
 class SimulationIn final : public Simulation {
  public:
-  SimulationIn(const Scene& scene, int threads)
+  SimulationIn(const Scene& scene, int threads, InstructionSet instruction_set)
       : scene_(scene),
         team_(thread_count(threads)),
         sampling_(sample(scene)),
         clock_(scene_),
         timeline_(scene_),
-        solver_(scene_, sampling_, team_) {
+        solver_(scene_, sampling_, team_, instruction_set) {
     follow_timeline();
   }
 
@@ -61,8 +61,8 @@ class SimulationIn final : public Simulation {
   double simulated_time() const override { return simulated_time_; }
   std::int64_t steps() const override { return steps_; }
   std::int64_t frame_index() const override { return clock_.frame_index(); }
-  std::int64_t fluid_particles() const override { return static_cast<std::int64_t>(solver_.fluid().size()); }
-  std::int64_t wall_particles() const override { return static_cast<std::int64_t>(solver_.walls().size()); }
+  std::int64_t fluid_particles() const override { return static_cast<std::int64_t>(solver_.fluid().count); }
+  std::int64_t wall_particles() const override { return static_cast<std::int64_t>(sampling_.wall_positions.size()); }
 
   void step() override {
     if (timeline_.paused()) {
@@ -93,23 +93,37 @@ class SimulationIn final : public Simulation {
     frame.cfl_met = frame.cfl <= cfl_factor();
     const ColorBy by = scene_.render.color.by;
     if (by != ColorBy::speed) bring_up_to_date();
-    frame.particles.resize(solver_.fluid().size());
+    frame.particles.resize(solver_.fluid().count);
     const FluidParticles<Dim>& fluid = solver_.fluid();
-    parallel_blocks(fluid.size(), team_, [&](std::size_t, std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        glm::vec4& shown = frame.particles[fluid.id[i]];
-        for (int d = 0; d < 3; ++d) shown[d] = d < Dim ? static_cast<float>(fluid.position[i][d]) : 0.0F;
-        switch (by) {
-          case ColorBy::speed:
-            shown.w = std::sqrt(dot(fluid.velocity[i], fluid.velocity[i]));
-            break;
-          case ColorBy::density:
-            shown.w = fluid.density[i];
-            break;
-          case ColorBy::pressure:
-            shown.w = static_cast<float>(solver_.pressure_at(i));
-            break;
+    const auto show = [&](std::size_t slot) {
+      const Vec<Dim, double> x = fluid.position(slot);
+      glm::vec4 shown(0);
+      for (int d = 0; d < Dim; ++d) shown[d] = static_cast<float>(x[d]);
+      switch (by) {
+        case ColorBy::speed: {
+          const Vec<Dim> v = fluid.velocity_of(slot);
+          shown.w = std::sqrt(dot(v, v));
+          break;
         }
+        case ColorBy::density:
+          shown.w = fluid.density[slot];
+          break;
+        case ColorBy::pressure:
+          shown.w = static_cast<float>(solver_.pressure_at(slot));
+          break;
+      }
+      return shown;
+    };
+    // Slots without the empty ones: each block writes from where the blocks before it end.
+    std::vector<std::size_t> first(block_count(fluid.slots()) + 1);
+    for (std::size_t slot = 0; slot < fluid.slots(); ++slot) {
+      if (!fluid.empty(slot)) ++first[slot / block_size + 1];
+    }
+    for (std::size_t block = 1; block < first.size(); ++block) first[block] += first[block - 1];
+    parallel_blocks(fluid.slots(), team_, [&](std::size_t block, std::size_t begin, std::size_t end) {
+      std::size_t place = first[block];
+      for (std::size_t slot = begin; slot < end; ++slot) {
+        if (!fluid.empty(slot)) frame.particles[place++] = show(slot);
       }
     });
   }
@@ -118,11 +132,7 @@ class SimulationIn final : public Simulation {
     StillLife still;
     still.particle_spacing = scene_.particle_spacing;
     still.max_speed_estimate = max_speed_estimate(scene_);
-    for (const Vec<Dim, double>& x : solver_.walls().position) {
-      glm::vec3 shown(0);
-      for (int d = 0; d < Dim; ++d) shown[d] = static_cast<float>(x[d]);
-      still.walls.push_back(shown);
-    }
+    for (const Vec3& x : sampling_.wall_positions) still.walls.emplace_back(x);
     return still;
   }
 
@@ -138,19 +148,21 @@ class SimulationIn final : public Simulation {
       Vec<Dim, double> momentum{}, center{};
     };
     const Sums sums = parallel_reduce(
-        fluid.size(), team_, Sums{},
+        fluid.slots(), team_, Sums{},
         [&](std::size_t begin, std::size_t end) {
           Sums block;
-          for (std::size_t i = begin; i < end; ++i) {
-            const double error = density_error(static_cast<double>(fluid.density[i]), rho0);
-            const auto v = convert<double>(fluid.velocity[i]);
+          for (std::size_t slot = begin; slot < end; ++slot) {
+            if (fluid.empty(slot)) continue;
+            const double error = density_error(static_cast<double>(fluid.density[slot]), rho0);
+            const auto v = convert<double>(fluid.velocity_of(slot));
+            const Vec<Dim, double> x = fluid.position(slot);
             block.error += error;
             block.compression += positive_part(error);
             block.max_compression = std::max(block.max_compression, error);
             block.kinetic += kinetic_energy(m, v);
-            block.potential += potential_energy(m, g, fluid.position[i]);
+            block.potential += potential_energy(m, g, x);
             block.momentum += m * v;
-            block.center += fluid.position[i];
+            block.center += x;
           }
           return block;
         },
@@ -165,7 +177,7 @@ class SimulationIn final : public Simulation {
           return a;
         });
 
-    const double n = static_cast<double>(std::max<std::size_t>(fluid.size(), 1));
+    const double n = static_cast<double>(std::max<std::size_t>(fluid.count, 1));
     Diagnostics row;
     row.time = clock_.time();
     row.simulated_time = simulated_time_;
@@ -188,17 +200,22 @@ class SimulationIn final : public Simulation {
 
   std::string state_hash() const override {
     const FluidParticles<Dim>& fluid = solver_.fluid();
-    std::vector<std::size_t> place(fluid.size());
-    for (std::size_t i = 0; i < fluid.size(); ++i) place[fluid.id[i]] = i;
+    std::vector<std::size_t> slot_of(fluid.count);
+    for (std::size_t slot = 0; slot < fluid.slots(); ++slot) {
+      if (!fluid.empty(slot)) slot_of[static_cast<std::size_t>(fluid.id[slot])] = slot;
+    }
     Sha256 hash;
-    for (const std::size_t i : place) {
-      hash.add(&fluid.position[i], sizeof fluid.position[i]);
-      hash.add(&fluid.velocity[i], sizeof fluid.velocity[i]);
+    for (const std::size_t slot : slot_of) {
+      const Vec<Dim, double> x = fluid.position(slot);
+      const Vec<Dim> v = fluid.velocity_of(slot);
+      hash.add(&x, sizeof x);
+      hash.add(&v, sizeof v);
     }
     return hash.hex();
   }
 
   StageTimes stage_times() const override { return times_; }
+  InstructionSet instruction_set() const override { return solver_.instruction_set(); }
 
  private:
   // Neighbours, densities and pressures of the current positions; at most once per step, whoever asks first.
@@ -212,8 +229,7 @@ class SimulationIn final : public Simulation {
           fmt::format("the simulation diverged in step {} at t = {:.6g} s: {}", steps_, clock_.time(), error.what()));
     }
     Stopwatch watch(times_.solve);
-    solver_.compute_density();
-    solver_.compute_pressure();
+    solver_.compute_density_and_pressure();
     up_to_date_ = true;
   }
 
@@ -289,9 +305,9 @@ class SimulationIn final : public Simulation {
 
 }  // namespace
 
-std::unique_ptr<Simulation> make_simulation(const Scene& scene, int threads) {
-  if (scene.dimension == 2) return std::make_unique<SimulationIn<2>>(scene, threads);
-  return std::make_unique<SimulationIn<3>>(scene, threads);
+std::unique_ptr<Simulation> make_simulation(const Scene& scene, int threads, InstructionSet instruction_set) {
+  if (scene.dimension == 2) return std::make_unique<SimulationIn<2>>(scene, threads, instruction_set);
+  return std::make_unique<SimulationIn<3>>(scene, threads, instruction_set);
 }
 
 }  // namespace weir

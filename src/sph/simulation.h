@@ -9,6 +9,7 @@
 #include "frame/frame.h"
 #include "scene/sampling.h"
 #include "scene/scene.h"
+#include "simd/instruction_set.h"
 
 namespace weir {
 
@@ -47,9 +48,11 @@ class Simulation {
   virtual std::string state_hash()
       const = 0;  // SHA-256 of position and velocity bits of all fluid particles in id order
   virtual StageTimes stage_times() const = 0;
+  virtual InstructionSet instruction_set() const = 0;
 };
 
 // `threads` as for thread_count(). The scene must be right (check() is empty).
-std::unique_ptr<Simulation> make_simulation(const Scene& scene, int threads);
+std::unique_ptr<Simulation> make_simulation(const Scene& scene, int threads,
+                                            InstructionSet instruction_set = default_instruction_set());
 
 }  // namespace weir

@@ -4,12 +4,10 @@
 
 #include <cstdint>
 #include <optional>
-#include <variant>
 
-#include "equations/kernels.h"
-#include "equations/momentum.h"
 #include "scene/sampling.h"
 #include "scene/scene.h"
+#include "sph/engine/engine.h"
 #include "sph/neighbours.h"
 #include "sph/particles.h"
 
@@ -34,20 +32,20 @@ template <int Dim>
 class Wcsph {
  public:
   // The scene must be right; `sampling` are its particles.
-  Wcsph(const Scene& scene, const Sampling& sampling, Team& team);
+  Wcsph(const Scene& scene, const Sampling& sampling, Team& team,
+        InstructionSet instruction_set = default_instruction_set());
 
   // One time step, in the order of the algorithm box; each needs those before it.
   void find_neighbours();
-  void compute_density();
-  void compute_pressure();
+  void compute_density_and_pressure();
   void compute_accelerations();
   // Moves the particles by dt. Returns the particle of the smallest id that moved farther than `step_reach()`, or whose
   // state is not finite; the state is of no use then.
   std::optional<Escape> integrate(double dt);
 
-  double max_speed() const { return max_speed_; }        // m/s, of the current velocities
-  double max_acceleration() const;                       // m/s^2, of the last accelerations
-  double step_reach() const { return support_radius_; }  // m; farther in one step and neighbours mean nothing
+  double max_speed() const { return max_speed_; }                // m/s, of the current velocities
+  double max_acceleration() const { return max_acceleration_; }  // m/s^2, of the last accelerations
+  double step_reach() const { return support_radius_; }          // m; farther in one step and neighbours mean nothing
 
   void set(const Controls<Dim>& controls) { controls_ = controls; }
   void reset(const Sampling& sampling);  // back to the start
@@ -57,30 +55,29 @@ class Wcsph {
   const WallParticles<Dim>& walls() const { return walls_; }
   double particle_mass() const { return mass_; }  // kg
   double smoothing_length() const { return h_; }  // m
-  double pressure_at(std::size_t i) const;        // Pa, of the last step
+  double pressure_at(std::size_t slot) const;     // Pa, of the last step
   const Neighbours<Dim>& neighbours() const { return neighbours_; }
+  InstructionSet instruction_set() const { return instruction_set_; }
 
  private:
-  using AnyKernel = std::variant<KernelAt<CubicSpline<Dim>, Real>, KernelAt<WendlandC2<Dim>, Real>>;
-  static AnyKernel make_kernel(KernelName name, double h);
+  std::optional<Escape> find_escaped(double dt) const;
 
   double h_;
   double support_radius_;
-  double dx_;
   double mass_;
   double rest_density_;
   int exponent_;
   bool clamp_negative_pressure_;
-  ViscosityModel viscosity_model_;
-  SurfaceTensionModel surface_tension_model_;
-  WallSlip wall_slip_;
   Team& team_;
-  AnyKernel kernel_;
+  InstructionSet instruction_set_;
+  Loops<Dim> loops_;
   Controls<Dim> controls_;
   FluidParticles<Dim> fluid_;
   WallParticles<Dim> walls_;
   Neighbours<Dim> neighbours_;
+  Displacements<Dim> moved_;  // since neighbours were listed
   double max_speed_ = 0;
+  double max_acceleration_ = 0;
 };
 
 extern template class Wcsph<2>;

@@ -6,7 +6,6 @@
 #include <random>
 
 #include "equations/kernels.h"
-#include "sph/pairs.h"
 
 namespace weir {
 namespace {
@@ -33,7 +32,7 @@ double share_of_laplacian(double h_per_dx, double factor) {
                                  .rho_j = 1,
                                  .pressure_i = 0,
                                  .pressure_j = 0};
-      a += viscosity.acceleration(pair)[0];
+      a += viscosity.from_fluid(pair)[0];
     }
   }
   return a / 2;
@@ -95,8 +94,8 @@ void expect_action_is_reaction(const Term& term) {
 // seed A prints, which has rho_j alone.
 TEST(Momentum, EveryConsistentTermIsAntisymmetric) {
   expect_action_is_reaction(Pressure{1.5F});
-  expect_action_is_reaction(NoSlip<MorrisViscosity>{{0.2F, 0.01F}});
-  expect_action_is_reaction(NoSlip<MonaghanViscosity>{{0.2F, 0.01F}});
+  expect_action_is_reaction(MorrisViscosity{0.2F, 0.01F});
+  expect_action_is_reaction(MonaghanViscosity{0.2F, 0.01F});
   expect_action_is_reaction(SeedASurfaceTension{0.3F});
 }
 
@@ -115,22 +114,9 @@ TEST(Momentum, PressureRepelsAndViscosityOpposesMotion) {
   EXPECT_EQ(Pressure{1}.from_wall(pair)[0], 2);   // 2 m p_i / rho_i^2, whatever stands for p_j
   pair.pressure_j = 17;
   EXPECT_EQ(Pressure{1}.from_wall(pair)[0], 2);
-  EXPECT_LT((MorrisViscosity{1, 0}.acceleration(pair)[0]), 0);
-  EXPECT_LT((MonaghanViscosity{1, 0}.acceleration(pair)[0]), 0);
+  EXPECT_LT((MorrisViscosity{1, 0}.from_fluid(pair)[0]), 0);
+  EXPECT_LT((MonaghanViscosity{1, 0}.from_fluid(pair)[0]), 0);
   EXPECT_LT((SeedASurfaceTension{1}.from_fluid(pair)[0]), 0) << "tension pulls towards neighbours";
-}
-
-TEST(Momentum, AnAbsentTermOrRuleAddsNothing) {
-  std::mt19937 random(3);
-  const auto pair = random_pair<2>(random);
-  const Pressure pressure{1};
-  const FreeSlip<MorrisViscosity> slip{{1, 0.01F}};
-  struct Nothing {};
-  for (int d = 0; d < 2; ++d) {
-    EXPECT_EQ(fluid_acceleration(pair, pressure, Nothing{})[d], pressure.from_fluid(pair)[d]);
-    EXPECT_EQ(wall_acceleration(pair, pressure, slip, SeedASurfaceTension{1})[d], pressure.from_wall(pair)[d]);
-    EXPECT_EQ(fluid_acceleration(pair, pressure, slip)[d], (pressure.from_fluid(pair) + slip.from_fluid(pair))[d]);
-  }
 }
 
 }  // namespace

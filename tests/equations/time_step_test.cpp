@@ -23,22 +23,35 @@ TEST(TimeStep, AtRestNothingLimitsSpeedOrForce) {
 TEST(TimeStep, CflNumberIsOneSmoothingLengthPerStep) { EXPECT_DOUBLE_EQ(cfl_number(0.001, 10, 0.01), 1); }
 
 TEST(EulerCromer, MovesWithTheNewVelocity) {
-  Vec<2, double> x{1, 2};
-  Vec<2> v{3, 4};
-  euler_cromer(x, v, Vec<2>{2, -4}, 0.5F);
-  EXPECT_EQ(v[0], 4);
-  EXPECT_EQ(v[1], 2);
-  EXPECT_EQ(x[0], 3);
-  EXPECT_EQ(x[1], 3);
+  float x = 1;
+  float rest = 0;
+  float v = 3;
+  euler_cromer(x, rest, v, 2.0F, 0.5F);
+  EXPECT_EQ(v, 4);
+  EXPECT_EQ(x, 3);
+  EXPECT_EQ(rest, 0);
 }
 
 // A harmonic oscillator keeps its energy within O(dt) for ever; explicit Euler would gain a factor (1 + dt^2)^n = 2.7.
 TEST(EulerCromer, KeepsTheEnergyOfAnOscillator) {
-  Vec<1, double> x{1};
-  Vec<1> v{0};
+  float x = 1;
+  float rest = 0;
+  float v = 0;
   const Real dt = 0.01F;
-  for (int n = 0; n < 10000; ++n) euler_cromer(x, v, Vec<1>{static_cast<Real>(-x[0])}, dt);
-  EXPECT_NEAR(0.5 * (x[0] * x[0] + static_cast<double>(v[0]) * v[0]), 0.5, 0.5 * dt);
+  for (int n = 0; n < 10000; ++n) euler_cromer(x, rest, v, -x, dt);
+  EXPECT_NEAR(0.5 * (x * x + v * v), 0.5, 0.5 * dt);
+}
+
+// A million steps of a ten-millionth of the place: a float alone would stand still, as each is below half its last digit.
+TEST(EulerCromer, SmallStepsAreNotLost) {
+  float x = 1;
+  float rest = 0;
+  float v = 1;
+  const float dt = 2e-8F;
+  ASSERT_EQ(x + dt * v, x);
+  for (int n = 0; n < 1000000; ++n) euler_cromer(x, rest, v, 0.0F, dt);
+  // 10^6 steps of the float nearest to 2e-8; the pair of floats has 2^-48 per step.
+  EXPECT_NEAR(static_cast<double>(x) + rest, 1 + 1e6 * static_cast<double>(dt), 1e6 * 0x1p-48);
 }
 
 }  // namespace

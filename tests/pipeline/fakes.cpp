@@ -63,6 +63,7 @@ class FakeSimulation final : public Simulation {
   }
   std::string state_hash() const override { return "state of step " + std::to_string(step_); }
   StageTimes stage_times() const override { return {.setup = 0, .neighbours = 1, .solve = 3}; }
+  InstructionSet instruction_set() const override { return InstructionSet::baseline; }
 
  private:
   int fps_;
@@ -123,7 +124,7 @@ void behave(const FakeBehaviour& behaviour) {
 
 const FakeRecord& record() { return record_now; }
 
-std::unique_ptr<Simulation> make_simulation(const Scene& scene, int /*threads*/) {
+std::unique_ptr<Simulation> make_simulation(const Scene& scene, int /*threads*/, InstructionSet /*set*/) {
   return std::make_unique<FakeSimulation>(scene);
 }
 

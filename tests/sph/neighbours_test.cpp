@@ -3,19 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numeric>
 #include <random>
+
+#include "support/listed_pairs.h"
 
 namespace weir {
 namespace {
 
 template <int Dim>
-FluidParticles<Dim> fluid_at(std::vector<Vec<Dim, double>> points) {
+FluidParticles<Dim> fluid_at(const std::vector<Vec<Dim, double>>& points) {
   FluidParticles<Dim> fluid;
-  fluid.position = std::move(points);
-  fluid.velocity.resize(fluid.position.size());
-  fluid.id.resize(fluid.position.size());
-  std::iota(fluid.id.begin(), fluid.id.end(), 0);
+  static_cast<Places<Dim>&>(fluid) = unsorted<Dim>(points);
+  for (auto& each : fluid.velocity) each.resize(fluid.slots() + group_size);
+  fluid.count = points.size();
   return fluid;
 }
 
@@ -30,36 +30,47 @@ std::vector<Vec<Dim, double>> scattered(std::size_t n, double low, double high, 
   return points;
 }
 
+// Pairs closer than `radius`, each compared with each.
 template <int Dim>
-std::vector<std::int32_t> near(const Vec<Dim, double>& x, const std::vector<Vec<Dim, double>>& points, double radius,
-                               std::ptrdiff_t self) {
-  std::vector<std::int32_t> found;
-  for (std::size_t j = 0; j < points.size(); ++j) {
-    const auto x_ij = x - points[j];
-    if (static_cast<std::ptrdiff_t>(j) != self && dot(x_ij, x_ij) < radius * radius) {
-      found.push_back(static_cast<std::int32_t>(j));
+IdPairs near(const Places<Dim>& from, const Places<Dim>& to, double radius, bool same) {
+  IdPairs pairs;
+  for (std::size_t i = 0; i < from.slots(); ++i) {
+    if (from.empty(i)) continue;
+    for (std::size_t j = 0; j < to.slots(); ++j) {
+      if (to.empty(j) || (same && i == j)) continue;
+      const auto x_ij = from.position(i) - to.position(j);
+      if (dot(x_ij, x_ij) < radius * radius) pairs.insert({from.id[i], to.id[j]});
     }
   }
-  return found;
+  return pairs;
 }
 
-std::vector<std::int32_t> ascending(std::span<const std::int32_t> list) {
-  std::vector<std::int32_t> sorted(list.begin(), list.end());
-  std::sort(sorted.begin(), sorted.end());
-  return sorted;
+bool holds(const IdPairs& listed, const IdPairs& wanted) {
+  return std::includes(listed.begin(), listed.end(), wanted.begin(), wanted.end());
 }
 
+constexpr double spacing = 0.4;  // dx, against a support of 1
+
+// Every pair within the support is listed; a listed cluster holds some pair within the reach.
 template <int Dim>
-void expect_lists_equal_brute_force(FluidParticles<Dim> fluid, WallParticles<Dim> walls, NeighbourSearch search) {
+void expect_every_pair_within(const std::vector<Vec<Dim, double>>& points,
+                              const std::vector<Vec<Dim, double>>& wall_points, NeighbourSearch search,
+                              InstructionSet set) {
   Team team(2);
   const double radius = 1;
-  Neighbours<Dim> neighbours({.support_radius = radius, .skin = 0, .search = search}, team, walls);
-  neighbours.update(fluid, walls);
-  for (std::size_t i = 0; i < fluid.size(); ++i) {
-    EXPECT_EQ(ascending(neighbours.fluid().of(i)),
-              near<Dim>(fluid.position[i], fluid.position, radius, static_cast<std::ptrdiff_t>(i)));
-    EXPECT_EQ(ascending(neighbours.walls().of(i)), near<Dim>(fluid.position[i], walls.position, radius, -1));
-  }
+  auto fluid = fluid_at<Dim>(points);
+  WallParticles<Dim> walls = unsorted<Dim>(wall_points);
+  Neighbours<Dim> neighbours({spacing, radius, 0, search, set}, team, walls);
+  neighbours.update(fluid, walls, {});
+  const int rows = loops_for<Dim>(set, {}).rows;
+  const IdPairs listed = listed_fluid_pairs<Dim>(neighbours, fluid, rows);
+  const IdPairs inside = near<Dim>(fluid, fluid, radius * (1 - 1e-6), true);
+  EXPECT_TRUE(holds(listed, inside));
+  EXPECT_FALSE(std::any_of(listed.begin(), listed.end(), [](const auto& pair) { return pair.first == pair.second; }));
+  const IdPairs listed_walls = listed_wall_pairs<Dim>(neighbours, fluid, walls, rows);
+  EXPECT_TRUE(holds(listed_walls, near<Dim>(fluid, walls, radius * (1 - 1e-6), false)));
+  // Not much more than needed: a row and a cluster hold at most 4 x 4 pairs, one of which at least is inside.
+  EXPECT_LE(listed.size(), 32 * near<Dim>(fluid, fluid, radius * (1 + 1e-6), true).size() + 32 * points.size());
 }
 
 template <class T>
@@ -67,20 +78,45 @@ class NeighboursIn : public testing::Test {};
 using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(NeighboursIn, Dimensions);
 
-TYPED_TEST(NeighboursIn, EqualBruteForce) {
+TYPED_TEST(NeighboursIn, EqualBruteForceWithEveryInstructionSet) {
   constexpr int dim = TypeParam::value;
-  for (const NeighbourSearch search : {NeighbourSearch::index_sort, NeighbourSearch::naive}) {
-    const WallParticles<dim> walls{scattered<dim>(200, -4, 6, 11)};
-    expect_lists_equal_brute_force<dim>(fluid_at<dim>(scattered<dim>(700, -4, 4, 1)), walls, search);
-    auto clustered = scattered<dim>(300, 0, 0.5, 2);
-    const auto rest = scattered<dim>(300, -40, 40, 3);
-    clustered.insert(clustered.end(), rest.begin(), rest.end());
-    expect_lists_equal_brute_force<dim>(fluid_at<dim>(clustered), walls, search);
-    expect_lists_equal_brute_force<dim>(fluid_at<dim>(scattered<dim>(300, 1e6, 1e6 + 5, 4)), walls, search);
-    expect_lists_equal_brute_force<dim>(fluid_at<dim>({}), walls, search);
-    expect_lists_equal_brute_force<dim>(fluid_at<dim>(scattered<dim>(1, 0, 1, 5)), WallParticles<dim>{}, search);
-    // Several in the same place.
-    expect_lists_equal_brute_force<dim>(fluid_at<dim>(std::vector<Vec<dim, double>>(5)), walls, search);
+  for (const InstructionSet set : usable_instruction_sets()) {
+    for (const NeighbourSearch search : {NeighbourSearch::index_sort, NeighbourSearch::naive}) {
+      const auto walls = scattered<dim>(200, -4, 6, 11);
+      expect_every_pair_within<dim>(scattered<dim>(700, -4, 4, 1), walls, search, set);
+      auto clustered = scattered<dim>(300, 0, 0.5, 2);
+      const auto rest = scattered<dim>(300, -40, 40, 3);
+      clustered.insert(clustered.end(), rest.begin(), rest.end());
+      expect_every_pair_within<dim>(clustered, walls, search, set);
+      expect_every_pair_within<dim>(scattered<dim>(300, 1e6, 1e6 + 5, 4), walls, search, set);
+      expect_every_pair_within<dim>({}, walls, search, set);
+      expect_every_pair_within<dim>(scattered<dim>(1, 0, 1, 5), {}, search, set);
+      // Several in the same place.
+      expect_every_pair_within<dim>(std::vector<Vec<dim, double>>(5), walls, search, set);
+    }
+  }
+}
+
+// The sorted search lists what comparing everything with everything lists, in the same order.
+TYPED_TEST(NeighboursIn, BothSearchesMakeTheSameLists) {
+  constexpr int dim = TypeParam::value;
+  Team team(2);
+  for (const InstructionSet set : usable_instruction_sets()) {
+    std::vector<std::vector<std::int32_t>> lists;
+    for (const NeighbourSearch search : {NeighbourSearch::index_sort, NeighbourSearch::naive}) {
+      auto fluid = fluid_at<dim>(scattered<dim>(3000, -8, 8, 6));
+      WallParticles<dim> walls = unsorted<dim>(scattered<dim>(600, -9, 9, 7));
+      Neighbours<dim> neighbours({spacing, 1, 0.2, search, set}, team, walls);
+      neighbours.update(fluid, walls, {});
+      std::vector<std::int32_t> all;
+      for (std::size_t tile = 0; tile < neighbours.tiling().tiles().size(); ++tile) {
+        for (const IntBuffer* list : {&neighbours.lists().fluid[tile], &neighbours.lists().walls[tile]}) {
+          all.insert(all.end(), list->data(), list->data() + list->size());
+        }
+      }
+      lists.push_back(std::move(all));
+    }
+    EXPECT_EQ(lists[0], lists[1]) << name_of(set);
   }
 }
 
@@ -91,15 +127,21 @@ TEST(SeedA, FindsThirteenNineAndFiveNeighboursOnTheLattice) {
   for (int y = 0; y < 11; ++y) {
     for (int x = 0; x < 11; ++x) lattice.push_back({x * h, y * h});
   }
-  for (const NeighbourSearch search : {NeighbourSearch::index_sort, NeighbourSearch::naive}) {
-    for (const auto& [radius, count] : {std::pair{2.1, 13}, std::pair{1.9, 9}, std::pair{1.1, 5}}) {
-      auto fluid = fluid_at<2>(lattice);
-      Team team(1);
-      WallParticles<2> walls;
-      Neighbours<2> neighbours({.support_radius = radius * h, .skin = 0, .search = search}, team, walls);
-      neighbours.update(fluid, walls);
-      const auto center = std::find(fluid.id.begin(), fluid.id.end(), 5 * 11 + 5) - fluid.id.begin();
-      EXPECT_EQ(neighbours.fluid().of(center).size() + 1, count) << radius;
+  const auto fluid = fluid_at<2>(lattice);
+  const std::int32_t center = 5 * 11 + 5;
+  for (const auto& [radius, count] : {std::pair{2.1, 13}, std::pair{1.9, 9}, std::pair{1.1, 5}}) {
+    const IdPairs pairs = near<2>(fluid, fluid, radius * h, false);
+    EXPECT_EQ(std::count_if(pairs.begin(), pairs.end(), [](const auto& pair) { return pair.first == center; }), count);
+    auto sorted = fluid_at<2>(lattice);
+    Team team(1);
+    WallParticles<2> walls;
+    const InstructionSet set = usable_instruction_sets().back();
+    Neighbours<2> neighbours({h, radius * h, 0, NeighbourSearch::index_sort, set}, team, walls);
+    neighbours.update(sorted, walls, {});
+    IdPairs listed = listed_fluid_pairs<2>(neighbours, sorted, loops_for<2>(set, {}).rows);
+    listed.insert({center, center});
+    for (const auto& pair : pairs) {
+      EXPECT_TRUE(pair.first != center || listed.contains(pair)) << pair.second << " at radius " << radius;
     }
   }
 }
@@ -109,26 +151,57 @@ TYPED_TEST(NeighboursIn, ListsWithASkinNeverMissAPair) {
   constexpr int dim = TypeParam::value;
   auto fluid = fluid_at<dim>(scattered<dim>(400, -3, 3, 8));
   Team team(2);
-  WallParticles<dim> walls{scattered<dim>(100, -3, 3, 9)};
-  Neighbours<dim> neighbours({.support_radius = 1, .skin = 0.2, .search = NeighbourSearch::index_sort}, team, walls);
+  WallParticles<dim> walls = unsorted<dim>(scattered<dim>(100, -3, 3, 9));
+  const InstructionSet set = usable_instruction_sets().back();
+  Neighbours<dim> neighbours({spacing, 1, 0.2, NeighbourSearch::index_sort, set}, team, walls);
+  const int rows = loops_for<dim>(set, {}).rows;
   std::mt19937 random(10);
-  std::uniform_real_distribution<double> u(-0.02, 0.02);
+  std::uniform_real_distribution<float> u(-0.02F, 0.02F);
+  Displacements<dim> moved;
   const int moves = 40;
   for (int move = 0; move < moves; ++move) {
-    neighbours.update(fluid, walls);
-    for (std::size_t i = 0; i < fluid.size(); ++i) {
-      const auto listed = ascending(neighbours.fluid().of(i));
-      const auto inside = near<dim>(fluid.position[i], fluid.position, 1, static_cast<std::ptrdiff_t>(i));
-      EXPECT_TRUE(std::includes(listed.begin(), listed.end(), inside.begin(), inside.end()));
-      const auto listed_walls = ascending(neighbours.walls().of(i));
-      const auto inside_walls = near<dim>(fluid.position[i], walls.position, 1, -1);
-      EXPECT_TRUE(std::includes(listed_walls.begin(), listed_walls.end(), inside_walls.begin(), inside_walls.end()));
-    }
-    for (auto& x : fluid.position) {
-      for (int d = 0; d < dim; ++d) x[d] += u(random);
+    neighbours.update(fluid, walls, moved);
+    EXPECT_TRUE(holds(listed_fluid_pairs<dim>(neighbours, fluid, rows), near<dim>(fluid, fluid, 1, true)));
+    EXPECT_TRUE(holds(listed_wall_pairs<dim>(neighbours, fluid, walls, rows), near<dim>(fluid, walls, 1, false)));
+    moved = {};
+    for (std::size_t slot = 0; slot < fluid.slots(); ++slot) {
+      if (fluid.empty(slot)) continue;
+      float squared = 0;
+      for (int d = 0; d < dim; ++d) {
+        fluid.x[d][slot] += u(random);
+        const float distance = fluid.x[d][slot] - neighbours.start()[d][slot];
+        squared += distance * distance;
+        moved.least[d] = std::min(moved.least[d], distance);
+        moved.greatest[d] = std::max(moved.greatest[d], distance);
+      }
+      moved.longest_squared = std::max(moved.longest_squared, squared);
     }
   }
   EXPECT_LT(neighbours.rebuilds(), moves / 2) << "a random walk takes several moves to half the skin";
+  EXPECT_GT(neighbours.rebuilds(), 2);
+}
+
+// Fluid that moves as one brings no new pairs; beside a wall it does, and places want to be near the centres of tiles.
+TYPED_TEST(NeighboursIn, AUniformMotionNeedsNoNewLists) {
+  constexpr int dim = TypeParam::value;
+  const auto moved_by = [](float distance) {
+    Displacements<dim> moved;
+    moved.longest_squared = distance * distance;
+    moved.least[0] = moved.greatest[0] = distance;
+    return moved;
+  };
+  for (const bool walled : {false, true}) {
+    Team team(1);
+    auto fluid = fluid_at<dim>(scattered<dim>(100, 0, 2, 12));
+    WallParticles<dim> walls = unsorted<dim>(walled ? scattered<dim>(10, 0, 2, 13) : std::vector<Vec<dim, double>>{});
+    Neighbours<dim> neighbours({spacing, 1, 0.2, NeighbourSearch::index_sort, InstructionSet::baseline}, team, walls);
+    neighbours.update(fluid, walls, {});
+    const auto edge = static_cast<float>(neighbours.tiling().lattice().edge());
+    neighbours.update(fluid, walls, moved_by(0.4F * edge));
+    EXPECT_EQ(neighbours.rebuilds(), walled ? 2 : 1);
+    neighbours.update(fluid, walls, moved_by(0.6F * edge));
+    EXPECT_EQ(neighbours.rebuilds(), walled ? 3 : 2);
+  }
 }
 
 }  // namespace

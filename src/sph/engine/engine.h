@@ -1,0 +1,105 @@
+// The loops of one step that are built once per instruction set, and the choice among them.
+#pragma once
+
+#include <cstdint>
+
+#include "core/types.h"
+#include "scene/scene.h"
+#include "simd/instruction_set.h"
+#include "sph/pair_lists.h"
+
+namespace weir {
+
+// Makes the lists of one tile of the fluid.
+template <int Dim>
+using ListPairs = void (*)(const ListInput<Dim>& in, std::int32_t tile, IntBuffer& fluid_list, IntBuffer& wall_list,
+                           IntBuffer& scratch);
+
+// Densities of one tile, and p / rho^2 from them.
+template <int Dim>
+struct DensityInput {
+  PairInput<Dim> pairs;
+  bool walls = false;  // whether there are any
+  double h = 0;        // m
+  float m = 0;         // kg
+  float rest_density = 0;
+  float stiffness = 0;  // k, Pa
+  int exponent = 0;
+  bool clamp_negative_pressure = false;
+  const std::int32_t* id = nullptr;
+  float* density = nullptr;
+  float* pressure = nullptr;
+};
+template <int Dim>
+using ComputeDensity = void (*)(const DensityInput<Dim>& in, std::int32_t tile);
+
+// Accelerations of one tile: from the fluid, from walls, then gravity.
+template <int Dim>
+struct AccelerationArguments {
+  PairInput<Dim> pairs;
+  double h = 0;  // m
+  float m = 0;   // kg
+  float rest_density = 0;
+  double nu = 0;  // m^2/s
+  float s = 0;    // of the surface tension, m^(Dim + 2)/s^2
+  float gravity[Dim] = {};
+  const std::int32_t* id = nullptr;
+  const float* density = nullptr;
+  const float* pressure = nullptr;
+  const float* velocity[Dim] = {};
+  float* acceleration[Dim] = {};
+};
+template <int Dim>
+using AddAcceleration = void (*)(const AccelerationArguments<Dim>& in, std::int32_t tile);
+// Returns the square of the largest acceleration, m^2/s^4.
+template <int Dim>
+using FinishAcceleration = float (*)(const AccelerationArguments<Dim>& in, std::int32_t tile);
+
+// What moving a tile's particles by one step found.
+template <int Dim>
+struct StepExtremes {
+  float speed_squared = 0;  // largest, m^2/s^2
+  float least[Dim] = {};    // of displacements from `start`, m
+  float greatest[Dim] = {};
+  float longest_squared = 0;  // m^2
+  bool escaped = false;       // a particle moved farther than `reach` in this step, or is not finite
+};
+template <int Dim>
+struct IntegrateArguments {
+  float dt = 0;     // s
+  float reach = 0;  // m
+  const Tile* tiles = nullptr;
+  const std::int32_t* id = nullptr;
+  const float* start[Dim] = {};
+  const float* acceleration[Dim] = {};
+  float* x[Dim] = {};
+  float* rest[Dim] = {};
+  float* velocity[Dim] = {};
+};
+template <int Dim>
+using Integrate = StepExtremes<Dim> (*)(const IntegrateArguments<Dim>& in, std::int32_t tile);
+
+// Which terms a scene has; loops exist for each choice, so that absent ones cost nothing.
+struct Terms {
+  KernelName kernel = KernelName::cubic_spline;
+  ViscosityModel viscosity = ViscosityModel::none;
+  SurfaceTensionModel surface_tension = SurfaceTensionModel::none;
+  WallSlip wall_slip = WallSlip::no_slip;
+};
+
+template <int Dim>
+struct Loops {
+  int rows = 0;  // particles that are listed and visited together
+  ListPairs<Dim> list_pairs = nullptr;
+  ComputeDensity<Dim> density = nullptr;
+  AddAcceleration<Dim> fluid_acceleration = nullptr;
+  AddAcceleration<Dim> wall_acceleration = nullptr;
+  FinishAcceleration<Dim> finish_acceleration = nullptr;
+  Integrate<Dim> integrate = nullptr;
+};
+
+// `set` must be usable.
+template <int Dim>
+Loops<Dim> loops_for(InstructionSet set, const Terms& terms);
+
+}  // namespace weir

@@ -1,0 +1,8 @@
+// Built once per instruction set.
+#include "sph/engine/wcsph_loops.h"
+
+namespace weir::WEIR_INSTRUCTION_SET {
+
+template Loops<3> loops<3>(const Terms& terms);
+
+}  // namespace weir::WEIR_INSTRUCTION_SET

@@ -1,0 +1,207 @@
+// The loops of WCSPH over one tile, for registers of one instruction set.
+#pragma once
+
+#include <type_traits>
+
+#include "equations/density.h"
+#include "equations/state.h"
+#include "equations/time_step.h"
+#include "simd/lanes.h"
+#include "sph/engine/engine.h"
+#include "sph/engine/list_pairs.h"
+#include "sph/engine/visit_pairs.h"
+
+namespace weir::WEIR_INSTRUCTION_SET {
+
+template <int Dim>
+void list_pairs(const ListInput<Dim>& in, std::int32_t tile, IntBuffer& fluid_list, IntBuffer& wall_list,
+                IntBuffer& scratch) {
+  TileLister<Dim>(in, tile, fluid_list, wall_list, scratch).list();
+}
+
+// The first slot after the whole registers that hold a tile's particles. A tile ends with a whole group, which is a whole
+// number of registers.
+HWY_INLINE std::int32_t end_of_registers(const Tile& slots) {
+  return slots.begin + (slots.end - slots.begin + lanes - 1) / lanes * lanes;
+}
+
+HWY_INLINE void fill(float* values, const Tile& slots, float value) {
+  for (std::int32_t i = slots.begin; i < end_of_registers(slots); i += lanes) store(Lanes(value), values + i);
+}
+
+template <int Dim, template <int> class Kernel>
+void density(const DensityInput<Dim>& in, std::int32_t tile) {
+  const Tile slots = in.pairs.tiles[tile];
+  const auto kernel = kernel_at<Kernel, Dim>(in.h);
+  const DensityPass<Dim, KernelAt<Kernel<Dim>, Real>> pass{kernel};
+  fill(in.density, slots, kernel.shape(0.0F));  // a particle counts itself
+  float* const sums[1] = {in.density};
+  visit_fluid<Dim>(in.pairs, tile, pass, sums);
+  if (in.walls) visit_walls<Dim>(in.pairs, tile, pass, sums);
+
+  for (std::int32_t i = slots.begin; i < slots.end; i += lanes) {
+    const Mask particle = not_negative(in.id + i);
+    const Lanes rest_density = in.rest_density;
+    const Lanes sum = load(in.density + i);
+    const Lanes rho = select(particle, density_contribution(Lanes(in.m), Lanes(kernel.alpha()) * sum), rest_density);
+    const Lanes p = pressure_of_state(rho / rest_density, Lanes(in.stiffness), in.exponent);
+    const Lanes kept = in.clamp_negative_pressure ? positive_part(p) : p;
+    store(rho, in.density + i);
+    store(select(particle, pressure_over_density_squared(kept, rho), Lanes()), in.pressure + i);
+  }
+}
+
+template <int Dim>
+HWY_INLINE AccelerationInput<Dim> read_by_pairs(const AccelerationArguments<Dim>& in) {
+  AccelerationInput<Dim> read{
+      .m = in.m, .rest_density = in.rest_density, .velocity = {}, .density = in.density, .pressure = in.pressure};
+  for (int d = 0; d < Dim; ++d) read.velocity[d] = in.velocity[d];
+  return read;
+}
+
+// A term that a scene lacks.
+struct Absent {};
+
+template <int Dim, template <int> class Kernel, class Viscosity, class SurfaceTension>
+void fluid_acceleration(const AccelerationArguments<Dim>& in, std::int32_t tile) {
+  using K = KernelAt<Kernel<Dim>, Real>;
+  for (int d = 0; d < Dim; ++d) fill(in.acceleration[d], in.pairs.tiles[tile], 0);
+  const auto visit = [&](const auto&... terms) {
+    const FluidAcceleration<Dim, K, std::remove_cvref_t<decltype(terms)>...> pass{
+        kernel_at<Kernel, Dim>(in.h), read_by_pairs(in), {terms...}};
+    visit_fluid<Dim>(in.pairs, tile, pass, in.acceleration);
+  };
+  constexpr bool viscous = !std::is_same_v<Viscosity, Absent>;
+  constexpr bool cohesive = !std::is_same_v<SurfaceTension, Absent>;
+  const Pressure pressure{in.m};
+  if constexpr (viscous && cohesive) {
+    visit(pressure, Viscosity::template of<Dim>(in.nu, in.h), SurfaceTension{in.s});
+  } else if constexpr (viscous) {
+    visit(pressure, Viscosity::template of<Dim>(in.nu, in.h));
+  } else if constexpr (cohesive) {
+    visit(pressure, SurfaceTension{in.s});
+  } else {
+    visit(pressure);
+  }
+}
+
+template <int Dim, template <int> class Kernel, class Viscosity>
+void wall_acceleration(const AccelerationArguments<Dim>& in, std::int32_t tile) {
+  using K = KernelAt<Kernel<Dim>, Real>;
+  const auto visit = [&](const auto&... terms) {
+    const WallAcceleration<Dim, K, std::remove_cvref_t<decltype(terms)>...> pass{
+        kernel_at<Kernel, Dim>(in.h), read_by_pairs(in), {terms...}};
+    visit_walls<Dim>(in.pairs, tile, pass, in.acceleration);
+  };
+  const Pressure pressure{in.m};
+  if constexpr (std::is_same_v<Viscosity, Absent>) {
+    visit(pressure);
+  } else {
+    visit(pressure, Viscosity::template of<Dim>(in.nu, in.h));
+  }
+}
+
+template <int Dim>
+float finish_acceleration(const AccelerationArguments<Dim>& in, std::int32_t tile) {
+  const Tile slots = in.pairs.tiles[tile];
+  Lanes largest;
+  for (std::int32_t i = slots.begin; i < slots.end; i += lanes) {
+    const Mask particle = not_negative(in.id + i);
+    Lanes square;
+    for (int d = 0; d < Dim; ++d) {
+      const Lanes a = select(particle, load(in.acceleration[d] + i) + Lanes(in.gravity[d]), Lanes());
+      store(a, in.acceleration[d] + i);
+      square = multiply_add(a, a, square);
+    }
+    largest = larger(largest, square);
+  }
+  return greatest(largest);
+}
+
+template <int Dim>
+StepExtremes<Dim> integrate(const IntegrateArguments<Dim>& in, std::int32_t tile) {
+  const Tile slots = in.tiles[tile];
+  Lanes lowest[Dim];
+  Lanes highest[Dim];
+  Lanes longest;
+  Lanes fastest;
+  const Lanes dt = in.dt;
+  const Lanes limit = in.reach * in.reach;
+  bool escaped = false;
+  for (std::int32_t i = slots.begin; i < slots.end; i += lanes) {
+    // Empty slots stay where they are: all that they read is zero or nowhere.
+    const Mask particle = not_negative(in.id + i);
+    Lanes speed_squared;
+    Lanes distance_squared;
+    for (int d = 0; d < Dim; ++d) {
+      Lanes x = load(in.x[d] + i);
+      Lanes rest = load(in.rest[d] + i);
+      Lanes v = load(in.velocity[d] + i);
+      euler_cromer(x, rest, v, load(in.acceleration[d] + i), dt);
+      store(x, in.x[d] + i);
+      store(rest, in.rest[d] + i);
+      store(v, in.velocity[d] + i);
+      speed_squared = multiply_add(v, v, speed_squared);
+      const Lanes moved = x - load(in.start[d] + i);
+      distance_squared = multiply_add(moved, moved, distance_squared);
+      const bool first_register = i == slots.begin;
+      lowest[d] = first_register ? moved : select(particle, smaller(lowest[d], moved), lowest[d]);
+      highest[d] = first_register ? moved : select(particle, larger(highest[d], moved), highest[d]);
+    }
+    fastest = larger(fastest, speed_squared);
+    longest = larger(longest, distance_squared);
+    // Written so that a speed that is not a number is caught, too.
+    escaped = escaped || !all(at_most(dt * dt * speed_squared, limit));
+  }
+  StepExtremes<Dim> extremes;
+  extremes.speed_squared = greatest(fastest);
+  extremes.longest_squared = greatest(longest);
+  extremes.escaped = escaped;
+  for (int d = 0; d < Dim; ++d) {
+    extremes.least[d] = least(lowest[d]);
+    extremes.greatest[d] = greatest(highest[d]);
+  }
+  return extremes;
+}
+
+template <int Dim, template <int> class Kernel, class Viscosity>
+void choose_terms(const Terms& terms, Loops<Dim>& loops) {
+  loops.fluid_acceleration = terms.surface_tension == SurfaceTensionModel::seed_a
+                                 ? fluid_acceleration<Dim, Kernel, Viscosity, SeedASurfaceTension>
+                                 : fluid_acceleration<Dim, Kernel, Viscosity, Absent>;
+  // Walls that let the fluid slip exert no friction.
+  loops.wall_acceleration = terms.wall_slip == WallSlip::no_slip ? wall_acceleration<Dim, Kernel, Viscosity>
+                                                                 : wall_acceleration<Dim, Kernel, Absent>;
+}
+
+template <int Dim, template <int> class Kernel>
+void choose_viscosity(const Terms& terms, Loops<Dim>& loops) {
+  loops.density = density<Dim, Kernel>;
+  switch (terms.viscosity) {
+    case ViscosityModel::none:
+      return choose_terms<Dim, Kernel, Absent>(terms, loops);
+    case ViscosityModel::morris:
+      return choose_terms<Dim, Kernel, MorrisViscosity>(terms, loops);
+    case ViscosityModel::monaghan:
+      return choose_terms<Dim, Kernel, MonaghanViscosity>(terms, loops);
+    case ViscosityModel::seed_a:
+      return choose_terms<Dim, Kernel, SeedAViscosity>(terms, loops);
+  }
+}
+
+template <int Dim>
+Loops<Dim> loops(const Terms& terms) {
+  Loops<Dim> chosen;
+  chosen.rows = rows;
+  chosen.list_pairs = list_pairs<Dim>;
+  chosen.finish_acceleration = finish_acceleration<Dim>;
+  chosen.integrate = integrate<Dim>;
+  if (terms.kernel == KernelName::wendland_c2) {
+    choose_viscosity<Dim, WendlandC2>(terms, chosen);
+  } else {
+    choose_viscosity<Dim, CubicSpline>(terms, chosen);
+  }
+  return chosen;
+}
+
+}  // namespace weir::WEIR_INSTRUCTION_SET

@@ -1,0 +1,298 @@
+#include "sph/tiling.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "core/parallel.h"
+
+namespace weir {
+
+namespace {
+
+// Slots that are looked at as one when particles are assigned to tiles; a whole number of groups.
+constexpr std::size_t chunk_size = 4096;
+
+constexpr int coordinate_bits = 21;
+constexpr std::int32_t coordinate_limit = 1 << (coordinate_bits - 1);
+
+template <int Dim>
+std::uint64_t key_of(const TileCoordinates<Dim>& tile) {
+  std::uint64_t key = 0;
+  for (int d = 0; d < Dim; ++d) key = key << coordinate_bits | static_cast<std::uint64_t>(tile[d] + coordinate_limit);
+  return key;
+}
+
+template <int Dim>
+TileCoordinates<Dim> tile_of(std::uint64_t key) {
+  TileCoordinates<Dim> tile;
+  for (int d = Dim - 1; d >= 0; --d, key >>= coordinate_bits) {
+    tile[d] = static_cast<std::int32_t>(key & ((1U << coordinate_bits) - 1)) - coordinate_limit;
+  }
+  return tile;
+}
+
+// The nearest number of at most 12 significant bits that is not smaller.
+double with_few_digits(double value) {
+  int exponent = 0;
+  const double fraction = std::frexp(value, &exponent);
+  return std::ldexp(std::ceil(std::ldexp(fraction, 12)), exponent - 12);
+}
+
+}  // namespace
+
+template <int Dim>
+TileLattice<Dim>::TileLattice(double particle_spacing, double reach) {
+  // Large enough that few pairs lie between tiles, small enough that there are many to share among threads.
+  constexpr double spacings_per_tile = Dim == 2 ? 32 : 16;
+  const double wanted = std::max(spacings_per_tile * particle_spacing, reach);
+  edge_ = with_few_digits(wanted);
+  columns_ = std::max(1, static_cast<std::int32_t>(std::lround(edge_ / (2 * particle_spacing))));
+  layers_ = 4 * columns_;
+}
+
+template <int Dim>
+TileCoordinates<Dim> TileLattice<Dim>::tile_at(const Vec<Dim, double>& point) const {
+  TileCoordinates<Dim> tile;
+  for (int d = 0; d < Dim; ++d) {
+    const double number = std::floor(point[d] / edge_);
+    if (!(std::abs(number) < coordinate_limit)) {  // written so that no number is caught, too
+      throw std::range_error(
+          "a particle has flown too far to be sorted (more than 2^20 tiles of space from the origin)");
+    }
+    tile[d] = static_cast<std::int32_t>(number);
+  }
+  return tile;
+}
+
+template <int Dim>
+Vec<Dim, double> TileLattice<Dim>::center(const TileCoordinates<Dim>& tile) const {
+  Vec<Dim, double> at{};
+  for (int d = 0; d < Dim; ++d) at[d] = (tile[d] + 0.5) * edge_;
+  return at;
+}
+
+template <int Dim>
+std::int32_t Tiling<Dim>::find(const TileCoordinates<Dim>& coordinates) const {
+  for (const std::int32_t c : coordinates) {
+    if (std::abs(c) >= coordinate_limit) return -1;
+  }
+  const std::uint64_t key = key_of<Dim>(coordinates);
+  const auto at = std::lower_bound(keys_.begin(), keys_.end(), key);
+  return at != keys_.end() && *at == key ? static_cast<std::int32_t>(at - keys_.begin()) : -1;
+}
+
+template <int Dim>
+std::vector<std::int32_t> Tiling<Dim>::adjacent(const Tiling& around, Team& team) const {
+  constexpr int codes = tile_codes<Dim>;
+  std::vector<std::int32_t> found(around.tiles_.size() * codes);
+  parallel_blocks(around.tiles_.size(), team, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t tile = begin; tile < end; ++tile) {
+      for (int code = 0; code < codes; ++code) {
+        TileCoordinates<Dim> at = around.coordinates_[tile];
+        const TileCoordinates<Dim> offset = offset_of_code<Dim>(code);
+        for (int d = 0; d < Dim; ++d) at[d] += offset[d];
+        found[tile * codes + static_cast<std::size_t>(code)] = find(at);
+      }
+    }
+  });
+  return found;
+}
+
+template <int Dim>
+void Tiling<Dim>::sort(Places<Dim>& places, Team& team) {
+  const std::size_t chunks = (places.slots() + chunk_size - 1) / chunk_size;
+  std::vector<std::vector<Run>> runs_of_chunks(chunks);
+  std::atomic<bool> flown{false};
+  team.for_each(chunks, [&](std::size_t chunk) {
+    std::vector<Run>& runs = runs_of_chunks[chunk];
+    const std::size_t end = std::min(places.slots(), (chunk + 1) * chunk_size);
+    std::int32_t expected = -1;  // slot that would continue the last run
+    for (std::size_t slot = chunk * chunk_size; slot < end; ++slot) {
+      if (places.empty(slot)) continue;
+      std::uint64_t key = 0;
+      try {
+        key = key_of<Dim>(lattice_.tile_at(places.position(slot)));
+      } catch (const std::range_error&) {  // must not leave a thread of the team
+        flown = true;
+      }
+      const auto here = static_cast<std::int32_t>(slot);
+      if (here != expected || runs.back().key != key) runs.push_back({key, here, 0});
+      ++runs.back().count;
+      expected = here + 1;
+    }
+  });
+  if (flown) {
+    for (std::size_t slot = 0; slot < places.slots(); ++slot) {
+      if (!places.empty(slot)) lattice_.tile_at(places.position(slot));  // throws
+    }
+  }
+  make_directory(runs_of_chunks, team);
+
+  const std::size_t slots = tiles_.empty() ? 0 : static_cast<std::size_t>(end_of_slots(tiles_.size() - 1));
+  order_.resize(slots);
+  columns_.resize(tiles_.size() * static_cast<std::size_t>(lattice_.columns_of_tile() + 1));
+  spare_.resize(slots);
+  for (int d = 0; d < Dim; ++d) {
+    low_[d].resize(slots / cluster_size + group_size);
+    high_[d].resize(slots / cluster_size + group_size);
+  }
+  team.for_each(tiles_.size(), [&](std::size_t tile) {
+    sort_tile(places, tile);
+    bound_clusters(spare_, tile);
+  });
+  std::swap(places, spare_);
+}
+
+template <int Dim>
+void Tiling<Dim>::make_directory(std::vector<std::vector<Run>>& runs_of_chunks, Team& team) {
+  // Tiles entered for the first time.
+  std::vector<std::vector<std::uint64_t>> new_keys(runs_of_chunks.size());
+  team.for_each(runs_of_chunks.size(), [&](std::size_t chunk) {
+    std::uint64_t last = ~std::uint64_t{0};
+    for (const Run& run : runs_of_chunks[chunk]) {
+      if (run.key == last) continue;
+      last = run.key;
+      if (!std::binary_search(keys_.begin(), keys_.end(), run.key)) new_keys[chunk].push_back(run.key);
+    }
+    std::sort(new_keys[chunk].begin(), new_keys[chunk].end());
+    new_keys[chunk].erase(std::unique(new_keys[chunk].begin(), new_keys[chunk].end()), new_keys[chunk].end());
+  });
+  for (const auto& keys : new_keys) keys_.insert(keys_.end(), keys.begin(), keys.end());
+  std::sort(keys_.begin(), keys_.end());
+  keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
+
+  // Runs by tile: a counting sort, which keeps their order.
+  team.for_each(runs_of_chunks.size(), [&](std::size_t chunk) {
+    std::uint64_t key = ~std::uint64_t{0};
+    std::uint64_t place = 0;
+    for (Run& run : runs_of_chunks[chunk]) {
+      if (run.key != key) {
+        key = run.key;
+        place = static_cast<std::uint64_t>(std::lower_bound(keys_.begin(), keys_.end(), key) - keys_.begin());
+      }
+      run.key = place;
+    }
+  });
+  std::vector<std::int64_t> particles(keys_.size());
+  std::vector<std::size_t> next_run(keys_.size() + 1);
+  std::size_t runs = 0;
+  for (const auto& chunk : runs_of_chunks) {
+    runs += chunk.size();
+    for (const Run& run : chunk) {
+      particles[run.key] += run.count;
+      ++next_run[run.key + 1];
+    }
+  }
+  for (std::size_t tile = 0; tile < keys_.size(); ++tile) next_run[tile + 1] += next_run[tile];
+  runs_.resize(runs);
+  for (const auto& chunk : runs_of_chunks) {
+    for (const Run& run : chunk) runs_[next_run[run.key]++] = run;
+  }
+
+  // Tiles that lost their last particle are gone.
+  tiles_.clear();
+  coordinates_.clear();
+  first_run_.assign(1, 0);
+  std::int64_t slot = 0;
+  std::size_t kept = 0;
+  for (std::size_t tile = 0; tile < keys_.size(); ++tile) {
+    if (particles[tile] == 0) continue;
+    keys_[kept++] = keys_[tile];
+    coordinates_.push_back(tile_of<Dim>(keys_[kept - 1]));
+    tiles_.push_back({static_cast<std::int32_t>(slot), static_cast<std::int32_t>(slot + particles[tile])});
+    first_run_.push_back(next_run[tile]);
+    slot = (slot + particles[tile] + group_size - 1) / group_size * group_size;
+    if (slot > std::numeric_limits<std::int32_t>::max()) {
+      throw std::range_error("more than 2^31 slots of particles");
+    }
+  }
+  keys_.resize(kept);
+}
+
+template <int Dim>
+void Tiling<Dim>::sort_tile(const Places<Dim>& places, std::size_t tile) {
+  const std::int32_t columns = lattice_.columns();
+  const std::int32_t layers = lattice_.layers();
+  const std::int32_t cells = lattice_.columns_of_tile() * layers;
+  const Vec<Dim, double> center = lattice_.center(coordinates_[tile]);
+  const double half = 0.5 * lattice_.edge();
+  const auto number = [half](double from_center, std::int32_t parts) {
+    const auto part = static_cast<std::int32_t>((from_center + half) / (2 * half) * parts);
+    return std::clamp(part, 0, parts - 1);
+  };
+  thread_local std::vector<std::int32_t> next_in_cell;
+  thread_local std::vector<std::int32_t> cell_of;
+  next_in_cell.assign(static_cast<std::size_t>(cells) + 1, 0);
+  cell_of.clear();
+  for (std::size_t r = first_run_[tile]; r < first_run_[tile + 1]; ++r) {
+    for (std::int32_t k = 0; k < runs_[r].count; ++k) {
+      const Vec<Dim, double> from_center = places.position(static_cast<std::size_t>(runs_[r].first + k)) - center;
+      // Every second column runs down, every second row of columns back.
+      std::int32_t column = number(from_center[0], columns);
+      if constexpr (Dim == 3) {
+        const std::int32_t along = number(from_center[1], columns);
+        column = column * columns + (column % 2 == 0 ? along : columns - 1 - along);
+      }
+      const std::int32_t layer = number(from_center[Dim - 1], layers);
+      const std::int32_t cell = column * layers + (column % 2 == 0 ? layer : layers - 1 - layer);
+      cell_of.push_back(cell);
+      ++next_in_cell[static_cast<std::size_t>(cell) + 1];
+    }
+  }
+  const Tile slots = tiles_[tile];
+  next_in_cell[0] = slots.begin;
+  for (std::int32_t cell = 0; cell < cells; ++cell) {
+    next_in_cell[static_cast<std::size_t>(cell) + 1] += next_in_cell[static_cast<std::size_t>(cell)];
+  }
+  std::int32_t* const starts = &columns_[tile * static_cast<std::size_t>(lattice_.columns_of_tile() + 1)];
+  for (std::int32_t column = 0; column <= lattice_.columns_of_tile(); ++column) {
+    starts[column] = next_in_cell[static_cast<std::size_t>(column * layers)];
+  }
+  std::size_t particle = 0;
+  for (std::size_t r = first_run_[tile]; r < first_run_[tile + 1]; ++r) {
+    for (std::int32_t k = 0; k < runs_[r].count; ++k) {
+      order_[static_cast<std::size_t>(next_in_cell[static_cast<std::size_t>(cell_of[particle++])]++)] =
+          runs_[r].first + k;
+    }
+  }
+
+  const auto end = static_cast<std::size_t>(end_of_slots(tile));
+  for (std::size_t slot = static_cast<std::size_t>(slots.begin); slot < end; ++slot) {
+    spare_.center[slot / group_size] = center;
+    if (slot < static_cast<std::size_t>(slots.end)) {
+      const auto from = static_cast<std::size_t>(order_[slot]);
+      spare_.place(slot, places.position(from));
+      spare_.id[slot] = places.id[from];
+    } else {
+      spare_.clear(slot);
+      order_[slot] = -1;
+    }
+  }
+}
+
+template <int Dim>
+void Tiling<Dim>::bound_clusters(const Places<Dim>& places, std::size_t tile) {
+  for (std::int32_t first = tiles_[tile].begin; first < end_of_slots(tile); first += cluster_size) {
+    const std::int32_t end = std::min(first + cluster_size, tiles_[tile].end);
+    for (int d = 0; d < Dim; ++d) {
+      float low = nowhere;
+      float high = -nowhere;
+      for (std::int32_t slot = first; slot < end; ++slot) {
+        low = std::min(low, places.x[d][static_cast<std::size_t>(slot)]);
+        high = std::max(high, places.x[d][static_cast<std::size_t>(slot)]);
+      }
+      low_[d][static_cast<std::size_t>(first / cluster_size)] = low;
+      high_[d][static_cast<std::size_t>(first / cluster_size)] = high;
+    }
+  }
+}
+
+template class TileLattice<2>;
+template class TileLattice<3>;
+template class Tiling<2>;
+template class Tiling<3>;
+
+}  // namespace weir

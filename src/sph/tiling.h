@@ -1,0 +1,127 @@
+// Particles sorted by space: into tiles, within a tile into columns along the last axis, within a column by height.
+//
+// Consecutive particles are then near each other, and consecutive clusters of four make compact boxes, which is what
+// the lists of pairs are built from. Only tiles that hold particles exist: memory and time follow the particles, not the
+// domain. The order depends on the particles alone, never on the number of threads. [The index sort of Hinsch24 ch. 5.2
+// on sparse cells]
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/team.h"
+#include "core/types.h"
+#include "sph/places.h"
+
+namespace weir {
+
+template <int Dim>
+using TileCoordinates = std::array<std::int32_t, Dim>;
+
+// Which tile a point lies in.
+template <int Dim>
+class TileLattice {
+ public:
+  // Tiles are at least `reach` (m) wide, so that only adjacent ones hold neighbours.
+  TileLattice(double particle_spacing, double reach);
+
+  // A float with few digits, so that places are shifted from tile to tile without rounding.
+  double edge() const { return edge_; }
+  // Columns along each axis but the last, about two spacings wide.
+  std::int32_t columns() const { return columns_; }
+  // Layers that a column is sorted into, about half a spacing high.
+  std::int32_t layers() const { return layers_; }
+  std::int32_t columns_of_tile() const { return Dim == 2 ? columns_ : columns_ * columns_; }
+
+  // Throws std::range_error for a point farther than 2^20 tiles from the origin, or nowhere.
+  TileCoordinates<Dim> tile_at(const Vec<Dim, double>& point) const;
+  Vec<Dim, double> center(const TileCoordinates<Dim>& tile) const;
+
+ private:
+  double edge_;
+  std::int32_t columns_;
+  std::int32_t layers_;
+};
+
+// Slots [begin, end) hold the tile's particles; the next tile begins at a whole group.
+struct Tile {
+  std::int32_t begin = 0;
+  std::int32_t end = 0;
+};
+
+// The tiles around one, itself in the middle: codes count the last axis fastest.
+template <int Dim>
+constexpr int tile_codes = Dim == 2 ? 9 : 27;
+template <int Dim>
+constexpr int own_tile_code = tile_codes<Dim> / 2;
+// -1, 0 or 1 along each axis.
+template <int Dim>
+constexpr TileCoordinates<Dim> offset_of_code(int code) {
+  TileCoordinates<Dim> offset{};
+  for (int d = Dim - 1; d >= 0; --d, code /= 3) offset[d] = code % 3 - 1;
+  return offset;
+}
+
+template <int Dim>
+class Tiling {
+ public:
+  explicit Tiling(const TileLattice<Dim>& lattice) : lattice_(lattice) {}
+
+  // Sorts `places`. order()[k] tells which slot the particle now in slot k came from, -1 for an empty slot.
+  void sort(Places<Dim>& places, Team& team);
+
+  const TileLattice<Dim>& lattice() const { return lattice_; }
+  std::span<const Tile> tiles() const { return tiles_; }
+  const std::vector<std::int32_t>& order() const { return order_; }
+  std::size_t slots() const { return order_.size(); }
+  std::int32_t end_of_slots(std::size_t tile) const {
+    return (tiles_[tile].end + group_size - 1) / group_size * group_size;
+  }
+  const TileCoordinates<Dim>& coordinates(std::size_t tile) const { return coordinates_[tile]; }
+
+  const std::vector<TileCoordinates<Dim>>& all_coordinates() const { return coordinates_; }
+
+  // First slots of the columns of each tile, and one more per tile for their end. Columns run in a meander through the
+  // tile, so that consecutive ones touch.
+  const std::vector<std::int32_t>& all_columns() const { return columns_; }
+  // Corners of the box around each cluster, m from its tile's centre; no box around none.
+  const std::array<AlignedVector<float>, Dim>& low() const { return low_; }
+  const std::array<AlignedVector<float>, Dim>& high() const { return high_; }
+
+  // The tile with these coordinates, -1 if no particle is there.
+  std::int32_t find(const TileCoordinates<Dim>& coordinates) const;
+  // For each tile of `around`, in the order of codes, the tile here or -1.
+  std::vector<std::int32_t> adjacent(const Tiling& around, Team& team) const;
+
+ private:
+  // Particles in consecutive slots that lie in one tile: most of a tile stays together from one sort to the next.
+  struct Run {
+    std::uint64_t key;  // of the tile, later its number
+    std::int32_t first;
+    std::int32_t count;
+  };
+  void make_directory(std::vector<std::vector<Run>>& runs_of_chunks, Team& team);
+  void sort_tile(const Places<Dim>& places, std::size_t tile);
+  void bound_clusters(const Places<Dim>& places, std::size_t tile);
+
+  TileLattice<Dim> lattice_;
+  std::vector<std::uint64_t> keys_;  // of the tiles, ascending
+  std::vector<TileCoordinates<Dim>> coordinates_;
+  std::vector<Tile> tiles_;
+  std::vector<std::int32_t> order_;
+  std::vector<std::int32_t> columns_;
+  std::array<AlignedVector<float>, Dim> low_;
+  std::array<AlignedVector<float>, Dim> high_;
+  std::vector<Run> runs_;               // by tile, within a tile in the order before the sort
+  std::vector<std::size_t> first_run_;  // of each tile, and one more
+  Places<Dim> spare_;                   // where the sorted places are made
+};
+
+extern template class TileLattice<2>;
+extern template class TileLattice<3>;
+extern template class Tiling<2>;
+extern template class Tiling<3>;
+
+}  // namespace weir
