@@ -9,6 +9,7 @@ _weir() {
   fi
   case $previous in
     --progress) mapfile -t COMPREPLY < <(compgen -W "auto bar lines json none" -- "$word"); return ;;
+    --instruction-set) mapfile -t COMPREPLY < <(compgen -W "baseline avx2 avx512" -- "$word"); return ;;
     --gl-device) mapfile -t COMPREPLY < <(compgen -W "auto software" -- "$word"); return ;;
     -o | --output) mapfile -t COMPREPLY < <(compgen -d -- "$word"); return ;;
     --difference) mapfile -t COMPREPLY < <(compgen -f -- "$word"); return ;;
@@ -16,7 +17,7 @@ _weir() {
   esac
   local options
   case $command in
-    run) options="-h --help -o --output --set --threads --force --progress --max-wall-time --gl-device" ;;
+    run) options="-h --help -o --output --set --threads --force --progress --max-wall-time --gl-device --instruction-set" ;;
     check) options="-h --help --set --threads --print" ;;
     batch) options="-h --help -o --output -j --jobs --set --threads --force --gl-device" ;;
     compare) options="-h --help --tolerance --fraction --difference --json" ;;

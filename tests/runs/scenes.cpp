@@ -44,6 +44,7 @@ FinishedRun::FinishedRun(Scene scene, int threads) : name_(scene.name) {
   options.folder = folder_.path();
   options.threads = threads;
   options.device = device_choice("");
+  options.instruction_set = InstructionSet::baseline;  // the one that every machine has
   const RunResult result = run(scene, options);
   if (result.exit != ExitCode::done) throw std::runtime_error(result.message);
   manifest_ = read_manifest(folder_ / "manifest.json");
