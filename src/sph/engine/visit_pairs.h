@@ -37,10 +37,15 @@ HWY_INLINE Vec<Dim, Lanes> seen_from(const Vec<Dim, Lanes>& row, int code, float
   return shifted;
 }
 
-// Adds what the fluid neighbours of a tile's particles contribute to `sums`, one array per component.
+// Adds what the fluid neighbours of a tile's particles contribute to `sums`, one array per component. (Flattened: a call
+// in the loop would send registers through memory.)
 template <int Dim, class Pass>
-HWY_INLINE void visit_fluid(const PairInput<Dim>& in, std::int32_t tile, const Pass& pass, float* const* sums) {
+HWY_FLATTEN void visit_fluid(const PairInput<Dim>& in, std::int32_t tile, const Pass& constants, float* const* sum_of) {
   constexpr int components = Pass::components;
+  // Copies, which no store to a sum could change: they stay in registers.
+  const Pass pass = constants;
+  float* sums[components];
+  for (int c = 0; c < components; ++c) sums[c] = sum_of[c];
   const Tile slots = in.tiles[tile];
   const std::int32_t* list = in.fluid_lists[tile].data();
   const Lanes column = column_numbers();
@@ -91,8 +96,9 @@ HWY_INLINE void visit_fluid(const PairInput<Dim>& in, std::int32_t tile, const P
 
 // Adds what the wall neighbours of a tile's particles contribute; rows without any are not looked at.
 template <int Dim, class Pass>
-HWY_INLINE void visit_walls(const PairInput<Dim>& in, std::int32_t tile, const Pass& pass, float* const* sums) {
+HWY_FLATTEN void visit_walls(const PairInput<Dim>& in, std::int32_t tile, const Pass& constants, float* const* sums) {
   constexpr int components = Pass::components;
+  const Pass pass = constants;
   const std::int32_t* list = in.wall_lists[tile].data();
   for (std::int32_t i = *list++; i >= 0; i = *list++) {
     const LoadRows load_i{i};
