@@ -19,6 +19,7 @@ struct RunCommand {
   std::vector<std::string> set;
   int threads = 0;
   bool force = false;
+  bool trace = false;
   std::string progress = "auto";
   std::string max_wall_time;
   std::string device;
@@ -39,6 +40,7 @@ ExitCode run_scene(const RunCommand& options) {
   run_options.folder = options.folder;
   run_options.threads = options.threads;
   run_options.force = options.force;
+  run_options.trace = options.trace;
   if (!options.max_wall_time.empty()) run_options.max_wall_time = parse_wall_time(options.max_wall_time);
   run_options.device = device_choice(options.device);
   if (!options.instruction_set.empty()) run_options.instruction_set = instruction_set_by_name(options.instruction_set);
@@ -79,6 +81,7 @@ void add_run(CLI::App& program, Action& action) {
           "--instruction-set", options->instruction_set,
           "Instructions to solve with: baseline, avx2 or avx512; by default WEIR_INSTRUCTION_SET, else the best here")
       ->type_name("NAME");
+  command->add_flag("--trace", options->trace, "Also write trace.json: where the time went, for a trace viewer");
   add_unbuilt_flag(*command, "--resume");
   command->footer(
       "The run folder is printed to standard output; everything else goes to standard error.\n"

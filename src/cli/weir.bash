@@ -17,7 +17,7 @@ _weir() {
   esac
   local options
   case $command in
-    run) options="-h --help -o --output --set --threads --force --progress --max-wall-time --gl-device --instruction-set" ;;
+    run) options="-h --help -o --output --set --threads --force --progress --max-wall-time --gl-device --instruction-set --trace" ;;
     check) options="-h --help --set --threads --print" ;;
     batch) options="-h --help -o --output -j --jobs --set --threads --force --gl-device" ;;
     compare) options="-h --help --tolerance --fraction --difference --json" ;;
@@ -28,7 +28,7 @@ _weir() {
   if [[ $word == -* ]]; then
     mapfile -t COMPREPLY < <(compgen -W "$options" -- "$word")
   elif [[ $command == report ]]; then
-    mapfile -t COMPREPLY < <(compgen -W "seed-a" -- "$word")
+    mapfile -t COMPREPLY < <(compgen -W "seed-a speed" -- "$word")
   elif [[ $command == run || $command == check || $command == batch ]]; then
     mapfile -t COMPREPLY < <(compgen -f -X '!*.yaml' -- "$word"; compgen -d -S / -- "$word")
   else

@@ -20,4 +20,9 @@ struct ReportOptions {
 // figure_4_1.csv, .svg, .pdf and .png and so on in the folder. Throws OutputError, DeviceError, SimulationError.
 void report_seed_a(const ReportOptions& options);
 
+// How fast this machine solves, by dimension, particle number and threads; in developed flow; what absent terms save; seed
+// A's scenes against real time: speed.csv, .svg, .pdf and .png, developed_flow.csv, real_time.csv, savings.csv. Some
+// minutes; nothing else should run beside it.
+void report_speed(const ReportOptions& options);
+
 }  // namespace weir

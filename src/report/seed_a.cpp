@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 
-#include "core/error.h"
 #include "report/scenes.h"
+#include "report/write_text.h"
 
 namespace weir {
 
@@ -31,11 +30,7 @@ void report_seed_a(const ReportOptions& options) {
 
   const Stills stills = stills_figure(shipped_dam_break(), checked);
   write_plot(folder / "figure_8_1", stills.grid);
-  const std::filesystem::path csv = folder / "figure_8_1.csv";
-  std::ofstream out(csv, std::ios::binary);
-  out << stills.csv;
-  out.close();
-  if (!out) throw OutputError(fmt::format("cannot write {}", csv.string()));
+  write_text(folder / "figure_8_1.csv", stills.csv);
 }
 
 }  // namespace weir

@@ -7,6 +7,7 @@
 
 #include "core/sha256.h"
 #include "core/team.h"
+#include "core/trace.h"
 #include "output/file.h"
 #include "output/log.h"
 #include "output/manifest.h"
@@ -217,6 +218,7 @@ RunResult Session::play() {
         "; {}. No checkpoint was written, as this version has none: the run starts again from the beginning",
         what_was_written());
   }
+  if (options_.trace) attempt([this] { write_file(folder_.trace_file(), Trace::finish()); });
   attempt([this] {
     Manifest facts = manifest();
     facts.exit = exit_;
@@ -234,6 +236,7 @@ std::string Session::what_was_written() const {
   if (scene_.output.movie) text += folder_.movie_file().filename().string() + ", ";
   if (scene_.output.frames) text += "frames/, ";
   if (!scene_.output.stills.empty()) text += "stills/, ";
+  if (options_.trace) text += "trace.json, ";
   return text + fmt::format("log.csv, manifest.json ({} steps, {} pictures, {:.1f} s)", simulation_->steps(),
                             pictures_ ? pictures_->drawn() : 0, since_start_.seconds());
 }
@@ -287,6 +290,10 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     return result;
   }
   folder.refuse_other_run(options.force);
+  if (options.trace) {
+    Trace::start();
+    Trace::name_thread("solver");
+  }
   Session session(scene, options, folder, std::move(text), provenance);
   session.open();
   return session.play();

@@ -28,6 +28,7 @@ struct RunOptions {
   std::filesystem::path folder;                   // empty: out/<scene name>
   int threads = 0;                                // as for thread_count()
   std::optional<InstructionSet> instruction_set;  // none: default_instruction_set()
+  bool trace = false;                             // write where the time went
   bool force = false;                             // overwrite another run
   double max_wall_time = 0;                       // s; 0: none
   DeviceChoice device;

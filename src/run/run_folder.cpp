@@ -97,6 +97,7 @@ std::vector<fs::path> RunFolder::files_of_runs() const {
   append_existing(manifest_file());
   append_existing(scene_file());
   append_existing(log_file());
+  append_existing(trace_file());
   append_existing(movie_file());
   append_existing(folder_ / (scene_.name + ".part.mp4"));
   append_matching(folder_ / "frames", std::regex("frame_[0-9]{5,}\\.png"), files);

@@ -30,6 +30,7 @@ class RunFolder {
   std::filesystem::path scene_file() const { return folder_ / "scene.yaml"; }
   std::filesystem::path manifest_file() const { return folder_ / "manifest.json"; }
   std::filesystem::path log_file() const { return folder_ / "log.csv"; }
+  std::filesystem::path trace_file() const { return folder_ / "trace.json"; }
   std::filesystem::path movie_file() const;
   std::filesystem::path frame_file(std::int64_t frame) const;
   std::filesystem::path still_file(std::int64_t frame) const;

@@ -1,144 +1,15 @@
 // A register of floats that the equations take for a number.
 //
 // Compiled once per instruction set, each time in a namespace of that set's name (WEIR_INSTRUCTION_SET), so that no
-// function of one set is ever taken for another's. Built on Highway: it has the few operations beyond arithmetic that
-// the pair engine lives on (a quarter register repeated, compressed stores), which the standard library's
-// experimental::simd lacks.
+// function of one set is ever taken for another's.
 #pragma once
 
 #if !defined(WEIR_INSTRUCTION_SET)
 #error "only sources that are built per instruction set may include this"
 #endif
 
-#include <hwy/highway.h>
-
-#include <cstdint>
-
-namespace weir::WEIR_INSTRUCTION_SET {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-using FloatTag = hn::ScalableTag<float>;
-using IntTag = hn::ScalableTag<std::int32_t>;
-
-constexpr int lanes = HWY_LANES(float);
-
-// In pair loops a register is a table: `rows` rows of one particle i each, `cluster` columns of one neighbour j each.
-constexpr int cluster = 4;
-constexpr int rows = lanes / cluster;
-
-struct Lanes {
-  using Register = hn::Vec<FloatTag>;
-  Register v;
-
-  HWY_INLINE Lanes() : v(hn::Zero(FloatTag())) {}
-  HWY_INLINE Lanes(Register r) : v(r) {}                    // NOLINT(google-explicit-constructor)
-  HWY_INLINE Lanes(float s) : v(hn::Set(FloatTag(), s)) {}  // NOLINT(google-explicit-constructor)
-  HWY_INLINE explicit Lanes(double s) : Lanes(static_cast<float>(s)) {}
-  HWY_INLINE explicit Lanes(int s) : Lanes(static_cast<float>(s)) {}
-
-  friend HWY_INLINE Lanes operator+(Lanes a, Lanes b) { return hn::Add(a.v, b.v); }
-  friend HWY_INLINE Lanes operator-(Lanes a, Lanes b) { return hn::Sub(a.v, b.v); }
-  friend HWY_INLINE Lanes operator*(Lanes a, Lanes b) { return hn::Mul(a.v, b.v); }
-  friend HWY_INLINE Lanes operator/(Lanes a, Lanes b) { return hn::Div(a.v, b.v); }
-  friend HWY_INLINE Lanes operator-(Lanes a) { return hn::Neg(a.v); }
-  HWY_INLINE Lanes& operator+=(Lanes b) { return *this = *this + b; }
-  HWY_INLINE Lanes& operator*=(Lanes b) { return *this = *this * b; }
-
-  // By the names of core/math.h.
-  friend HWY_INLINE Lanes multiply_add(Lanes a, Lanes b, Lanes c) { return hn::MulAdd(a.v, b.v, c.v); }
-  friend HWY_INLINE Lanes positive_part(Lanes a) { return hn::Max(hn::Zero(FloatTag()), a.v); }
-  friend HWY_INLINE Lanes square_root(Lanes a) { return hn::Sqrt(a.v); }
-  friend HWY_INLINE Lanes smaller(Lanes a, Lanes b) { return hn::Min(a.v, b.v); }
-  friend HWY_INLINE Lanes larger(Lanes a, Lanes b) { return hn::Max(a.v, b.v); }
-
-  friend HWY_INLINE float least(Lanes a) { return hn::GetLane(hn::MinOfLanes(FloatTag(), a.v)); }
-  friend HWY_INLINE float greatest(Lanes a) { return hn::GetLane(hn::MaxOfLanes(FloatTag(), a.v)); }
-};
-
-// Some of the lanes.
-struct Mask {
-  hn::Mask<FloatTag> m;
-
-  friend HWY_INLINE Lanes select(Mask which, Lanes yes, Lanes no) { return hn::IfThenElse(which.m, yes.v, no.v); }
-  friend HWY_INLINE bool all(Mask which) { return hn::AllTrue(FloatTag(), which.m); }
-  friend HWY_INLINE bool any(Mask which) { return !hn::AllFalse(FloatTag(), which.m); }
-};
-HWY_INLINE Mask less(Lanes a, Lanes b) { return {hn::Lt(a.v, b.v)}; }
-HWY_INLINE Mask at_most(Lanes a, Lanes b) { return {hn::Le(a.v, b.v)}; }
-
-// `lanes` consecutive numbers; `p` need not be aligned. Arrays end in enough slack.
-HWY_INLINE Lanes load(const float* p) { return hn::LoadU(FloatTag(), p); }
-HWY_INLINE void store(Lanes a, float* p) { hn::StoreU(a.v, FloatTag(), p); }
-
-// The columns: p[0 .. cluster) in every row. `p` is aligned to a cluster.
-HWY_INLINE Lanes load_columns(const float* p) { return hn::LoadDup128(FloatTag(), p); }
-
-// The rows: p[k] in all lanes of row k.
-HWY_INLINE Lanes load_rows(const float* p) {
-  if constexpr (rows == 1) {
-    return *p;
-  } else {
-    alignas(64) constexpr std::int32_t index[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
-    return hn::TableLookupLanes(hn::LoadU(FloatTag(), p), hn::SetTableIndices(FloatTag(), index));
-  }
-}
-
-// The sum over rows, in one row.
-template <class Tag, class Register>
-HWY_INLINE auto fold_rows(Tag, Register a) {
-  if constexpr (hn::MaxLanes(Tag()) == cluster) {
-    return a;
-  } else {
-    const hn::Half<Tag> half;
-    return fold_rows(half, hn::Add(hn::LowerHalf(half, a), hn::UpperHalf(half, a)));
-  }
-}
-
-// p[0 .. cluster) += the sum over rows. `p` is aligned to a cluster.
-HWY_INLINE void add_columns(Lanes a, float* p) {
-  const hn::FixedTag<float, cluster> row;
-  hn::Store(hn::Add(hn::Load(row, p), fold_rows(FloatTag(), a.v)), row, p);
-}
-
-HWY_INLINE void subtract_columns(Lanes a, float* p) {
-  const hn::FixedTag<float, cluster> row;
-  hn::Store(hn::Sub(hn::Load(row, p), fold_rows(FloatTag(), a.v)), row, p);
-}
-
-// p[k] += the sum over row k.
-HWY_INLINE void add_rows(Lanes a, float* p) {
-  auto s = hn::Add(a.v, hn::Shuffle2301(a.v));
-  s = hn::Add(s, hn::Shuffle1032(s));
-  alignas(64) float sums[lanes];
-  hn::Store(s, FloatTag(), sums);
-  for (int k = 0; k < rows; ++k) p[k] += sums[cluster * k];
-}
-
-// 0, 1, ... in the lanes of a row, the same in each; and the number of the row in all of its lanes.
-HWY_INLINE Lanes column_numbers() {
-  alignas(64) constexpr float number[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
-  return load(number);
-}
-HWY_INLINE Lanes row_numbers() {
-  alignas(64) constexpr float number[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
-  return load(number);
-}
-
-// The lanes among the first n.
-HWY_INLINE Mask first(int n) { return {hn::FirstN(FloatTag(), static_cast<std::size_t>(n))}; }
-
-// The lanes whose integers p[0 .. lanes) are not negative.
-HWY_INLINE Mask not_negative(const std::int32_t* p) {
-  return {hn::RebindMask(FloatTag(), hn::Gt(hn::LoadU(IntTag(), p), hn::Set(IntTag(), -1)))};
-}
-HWY_INLINE Mask both(Mask a, Mask b) { return {hn::And(a.m, b.m)}; }
-
-// Writes start + step k for each lane k of `which`, in order, to `out`, which has room for a whole register. Returns how
-// many.
-HWY_INLINE int store_numbers(Mask which, std::int32_t start, std::int32_t step, std::int32_t* out) {
-  const auto numbers = hn::Add(hn::Set(IntTag(), start), hn::Mul(hn::Iota(IntTag(), 0), hn::Set(IntTag(), step)));
-  return static_cast<int>(hn::CompressBlendedStore(numbers, hn::RebindMask(IntTag(), which.m), IntTag(), out));
-}
-
-}  // namespace weir::WEIR_INSTRUCTION_SET
+#if defined(WEIR_PORTABLE_LANES)
+#include "simd/lanes_portable.h"
+#else
+#include "simd/lanes_highway.h"
+#endif

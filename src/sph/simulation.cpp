@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/sha256.h"
+#include "core/trace.h"
 #include "equations/density.h"
 #include "equations/energy.h"
 #include "equations/state.h"
@@ -70,11 +71,17 @@ class SimulationIn final : public Simulation {
     } else {
       bring_up_to_date();
       Stopwatch watch(times_.solve);
-      solver_.compute_accelerations();
+      {
+        const Span span("accelerations");
+        solver_.compute_accelerations();
+      }
       const StepChoice choice = choose_step();
       dt_ = clock_.fitted_step(choice.dt);
       limit_ = choice.limit;
-      const std::optional<Escape> escape = solver_.integrate(dt_);
+      const std::optional<Escape> escape = [this] {
+        const Span span("integrate");
+        return solver_.integrate(dt_);
+      }();
       up_to_date_ = false;
       ++steps_;
       if (escape) diverged(*escape);
@@ -138,6 +145,7 @@ class SimulationIn final : public Simulation {
 
   Diagnostics diagnostics() override {
     bring_up_to_date();
+    const Span span("diagnostics");
     const FluidParticles<Dim>& fluid = solver_.fluid();
     const double m = solver_.particle_mass();
     const auto g = from_scene<Dim, double>(timeline_.state().gravity);
@@ -223,12 +231,14 @@ class SimulationIn final : public Simulation {
     if (up_to_date_) return;
     try {
       Stopwatch watch(times_.neighbours);
+      const Span span("neighbours");
       solver_.find_neighbours();
     } catch (const std::range_error& error) {
       throw SimulationError(
           fmt::format("the simulation diverged in step {} at t = {:.6g} s: {}", steps_, clock_.time(), error.what()));
     }
     Stopwatch watch(times_.solve);
+    const Span span("density and pressure");
     solver_.compute_density_and_pressure();
     up_to_date_ = true;
   }

@@ -17,8 +17,8 @@ struct Box {
 
 // Appends the clusters among [begin, end) whose boxes are within `reach` of `box`.
 template <int Dim>
-HWY_INLINE void append_near_clusters(const TilesView<Dim>& set, const Box<Dim>& box, std::int32_t begin,
-                                     std::int32_t end, float reach, IntBuffer& found) {
+WEIR_INLINE void append_near_clusters(const TilesView<Dim>& set, const Box<Dim>& box, std::int32_t begin,
+                                      std::int32_t end, float reach, IntBuffer& found) {
   if (begin >= end) return;
   found.reserve_more(static_cast<std::size_t>(end - begin + lanes));
   std::int32_t* out = found.data() + found.size();
@@ -39,8 +39,8 @@ HWY_INLINE void append_near_clusters(const TilesView<Dim>& set, const Box<Dim>& 
 // Appends the clusters of a tile that are within `reach` of `box`, which is given in the frame of that tile. Clusters
 // before `from` are left out.
 template <int Dim>
-HWY_INLINE void append_candidates(const ListInput<Dim>& in, const TilesView<Dim>& set, std::int32_t tile,
-                                  const Box<Dim>& box, std::int32_t from, IntBuffer& found) {
+WEIR_INLINE void append_candidates(const ListInput<Dim>& in, const TilesView<Dim>& set, std::int32_t tile,
+                                   const Box<Dim>& box, std::int32_t from, IntBuffer& found) {
   // Places were rounded when they were sorted into columns.
   const float reach = in.reach + 1e-5F * in.edge;
   const float half = 0.5F * in.edge;
@@ -79,7 +79,7 @@ HWY_INLINE void append_candidates(const ListInput<Dim>& in, const TilesView<Dim>
 
 // Some particle of the row is within reach of some particle of the cluster at `slot`.
 template <int Dim>
-HWY_INLINE bool near_row(const Lanes* row, const TilesView<Dim>& set, std::int32_t slot, Lanes reach_squared) {
+WEIR_INLINE bool near_row(const Lanes* row, const TilesView<Dim>& set, std::int32_t slot, Lanes reach_squared) {
   Lanes square;
   for (int d = 0; d < Dim; ++d) {
     const Lanes x_ij = row[d] - load_columns(set.x[d] + slot);
@@ -98,8 +98,8 @@ struct Segment {
 
 // Appends for one row the segments of `candidates` that hold anything.
 template <int Dim>
-HWY_INLINE void append_segments(const ListInput<Dim>& in, const TilesView<Dim>& set, const Lanes* row,
-                                const Segment* segments, int count, const std::int32_t* candidates, IntBuffer& list) {
+WEIR_INLINE void append_segments(const ListInput<Dim>& in, const TilesView<Dim>& set, const Lanes* row,
+                                 const Segment* segments, int count, const std::int32_t* candidates, IntBuffer& list) {
   const Lanes reach_squared = in.reach * in.reach;
   for (int s = 0; s < count; ++s) {
     const Segment& segment = segments[s];
@@ -119,7 +119,7 @@ HWY_INLINE void append_segments(const ListInput<Dim>& in, const TilesView<Dim>& 
   }
 }
 
-HWY_INLINE void append(IntBuffer& list, std::int32_t number) {
+WEIR_INLINE void append(IntBuffer& list, std::int32_t number) {
   list.reserve_more(1);
   list.data()[list.size()] = number;
   list.set_size(list.size() + 1);

@@ -14,15 +14,15 @@ namespace weir::WEIR_INSTRUCTION_SET {
 
 struct LoadRows {
   std::int32_t slot;
-  HWY_INLINE Lanes operator()(const float* values) const { return load_rows(values + slot); }
+  WEIR_INLINE Lanes operator()(const float* values) const { return load_rows(values + slot); }
 };
 struct LoadColumns {
   std::int32_t slot;
-  HWY_INLINE Lanes operator()(const float* values) const { return load_columns(values + slot); }
+  WEIR_INLINE Lanes operator()(const float* values) const { return load_columns(values + slot); }
 };
 
 template <int Dim>
-HWY_INLINE Vec<Dim, Lanes> difference(const Vec<Dim, Lanes>& row, const float* const* x, std::int32_t slot) {
+WEIR_INLINE Vec<Dim, Lanes> difference(const Vec<Dim, Lanes>& row, const float* const* x, std::int32_t slot) {
   Vec<Dim, Lanes> x_ij;
   for (int d = 0; d < Dim; ++d) x_ij[d] = row[d] - load_columns(x[d] + slot);
   return x_ij;
@@ -30,17 +30,17 @@ HWY_INLINE Vec<Dim, Lanes> difference(const Vec<Dim, Lanes>& row, const float* c
 
 // `row` in the frame of the tile with this code.
 template <int Dim>
-HWY_INLINE Vec<Dim, Lanes> seen_from(const Vec<Dim, Lanes>& row, int code, float edge) {
+WEIR_INLINE Vec<Dim, Lanes> seen_from(const Vec<Dim, Lanes>& row, int code, float edge) {
   const TileCoordinates<Dim> offset = offset_of_code<Dim>(code);
   Vec<Dim, Lanes> shifted;
   for (int d = 0; d < Dim; ++d) shifted[d] = row[d] - Lanes(edge * static_cast<float>(offset[d]));
   return shifted;
 }
 
-// Adds what the fluid neighbours of a tile's particles contribute to `sums`, one array per component. (Flattened: a call
-// in the loop would send registers through memory.)
+// Adds what the fluid neighbours of a tile's particles contribute to `sums`, one array per component.
 template <int Dim, class Pass>
-HWY_FLATTEN void visit_fluid(const PairInput<Dim>& in, std::int32_t tile, const Pass& constants, float* const* sum_of) {
+WEIR_FLATTEN void visit_fluid(const PairInput<Dim>& in, std::int32_t tile, const Pass& constants,
+                              float* const* sum_of) {
   constexpr int components = Pass::components;
   // Copies, which no store to a sum could change: they stay in registers.
   const Pass pass = constants;
@@ -96,7 +96,7 @@ HWY_FLATTEN void visit_fluid(const PairInput<Dim>& in, std::int32_t tile, const 
 
 // Adds what the wall neighbours of a tile's particles contribute; rows without any are not looked at.
 template <int Dim, class Pass>
-HWY_FLATTEN void visit_walls(const PairInput<Dim>& in, std::int32_t tile, const Pass& constants, float* const* sums) {
+WEIR_FLATTEN void visit_walls(const PairInput<Dim>& in, std::int32_t tile, const Pass& constants, float* const* sums) {
   constexpr int components = Pass::components;
   const Pass pass = constants;
   const std::int32_t* list = in.wall_lists[tile].data();

@@ -21,11 +21,11 @@ void list_pairs(const ListInput<Dim>& in, std::int32_t tile, IntBuffer& fluid_li
 
 // The first slot after the whole registers that hold a tile's particles. A tile ends with a whole group, which is a whole
 // number of registers.
-HWY_INLINE std::int32_t end_of_registers(const Tile& slots) {
+WEIR_INLINE std::int32_t end_of_registers(const Tile& slots) {
   return slots.begin + (slots.end - slots.begin + lanes - 1) / lanes * lanes;
 }
 
-HWY_INLINE void fill(float* values, const Tile& slots, float value) {
+WEIR_INLINE void fill(float* values, const Tile& slots, float value) {
   for (std::int32_t i = slots.begin; i < end_of_registers(slots); i += lanes) store(Lanes(value), values + i);
 }
 
@@ -52,7 +52,7 @@ void density(const DensityInput<Dim>& in, std::int32_t tile) {
 }
 
 template <int Dim>
-HWY_INLINE AccelerationInput<Dim> read_by_pairs(const AccelerationArguments<Dim>& in) {
+WEIR_INLINE AccelerationInput<Dim> read_by_pairs(const AccelerationArguments<Dim>& in) {
   AccelerationInput<Dim> read{
       .m = in.m, .rest_density = in.rest_density, .velocity = {}, .density = in.density, .pressure = in.pressure};
   for (int d = 0; d < Dim; ++d) read.velocity[d] = in.velocity[d];

@@ -1,0 +1,203 @@
+#include "report/speed.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/team.h"
+#include "report/scenes.h"
+#include "report/write_text.h"
+#include "sph/simulation.h"
+
+namespace weir {
+
+namespace {
+
+double solving(const Simulation& simulation) {
+  const StageTimes times = simulation.stage_times();
+  return times.neighbours + times.solve;
+}
+
+std::vector<int> thread_counts(int requested) {
+  const int most = thread_count(requested);
+  std::vector<int> counts;
+  for (int n = 1; n < most; n *= 2) counts.push_back(n);
+  counts.push_back(most);
+  return counts;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+// Enough time for the front to run 2 heights: T = 2 sqrt(g / H) t [Martin and Moyce 1952, n^2 = 1].
+constexpr double developed = 0.6;  // s
+
+}  // namespace
+
+Scene speed_scene(int dimension, std::int64_t particles) {
+  Scene scene;
+  scene.name = fmt::format("speed_{}d", dimension);
+  scene.dimension = dimension;
+  scene.duration = 10;
+  const double n = static_cast<double>(particles);
+  if (dimension == 2) {
+    scene.gravity = Vec3(0, -9.81, 0);
+    scene.particle_spacing = std::sqrt(1 / n);
+    scene.fluid.volumes = {{.shape = Box{Vec3(0), Vec3(1, 1, 0)}}};
+    scene.walls = {{.shape = Tank{Vec3(0), Vec3(3, 2, 0), {Side::top}}, .layers = 0, .holes = {}}};
+    scene.solver.kernel = {KernelName::wendland_c2, 1.3};
+  } else {
+    scene.gravity = Vec3(0, 0, -9.81);
+    scene.particle_spacing = std::cbrt(0.5 / n);
+    scene.fluid.volumes = {{.shape = Box{Vec3(0), Vec3(1, 0.5, 1)}}};
+    scene.walls = {{.shape = Tank{Vec3(0), Vec3(3, 0.5, 2), {Side::top}}, .layers = 0, .holes = {}}};
+    scene.solver.kernel = {KernelName::wendland_c2, 1.2};
+  }
+  const double c0 = 10 * std::sqrt(2 * 9.81);
+  scene.solver.compressibility = SoundSpeed{c0};
+  scene.fluid.viscosity = {ViscosityModel::morris, 0.01 * smoothing_length(scene) * c0};
+  scene.output.movie.reset();
+  return scene;
+}
+
+SpeedSample measure_speed(const Scene& scene, int threads, double seconds, double from, bool log) {
+  const std::unique_ptr<Simulation> simulation = make_simulation(scene, threads);
+  constexpr int warm_up = 20;
+  while (simulation->steps() < warm_up || simulation->time() < from) simulation->step();
+  const double neighbours = simulation->stage_times().neighbours;
+  const double before = solving(*simulation);
+  const std::int64_t first = simulation->steps();
+  do {
+    simulation->step();
+    if (log) simulation->diagnostics();
+  } while (solving(*simulation) - before < seconds && !simulation->finished());
+  SpeedSample sample;
+  sample.particles = simulation->fluid_particles();
+  sample.steps = simulation->steps() - first;
+  const double taken = solving(*simulation) - before;
+  sample.mps = 1e-6 * static_cast<double>(sample.particles) * static_cast<double>(sample.steps) / taken;
+  sample.neighbours = (simulation->stage_times().neighbours - neighbours) / taken;
+  return sample;
+}
+
+LinePlot speed_figure(const SpeedOptions& speed, const ReportOptions& options) {
+  LinePlot plot;
+  plot.title = "WCSPH, from the start of a dam break";
+  plot.x = {"fluid particles", "particles", true};
+  plot.y = {"million particle-steps per second", "speed[Mps/s]", true};
+  plot.legend = "dimension, threads";
+  plot.series_column = "case";
+  for (const int dimension : {2, 3}) {
+    for (const int threads : thread_counts(options.threads)) {
+      Series series{fmt::format("{}D, {}", dimension, threads), {}, {}};
+      for (const std::int64_t n : speed.particles) {
+        const SpeedSample sample = measure_speed(speed_scene(dimension, n), threads, speed.seconds);
+        options.message(
+            fmt::format("{}D, {} particles, {} threads: {:.2f} M particle-steps/s, {:.0f} % of it neighbours",
+                        dimension, sample.particles, threads, sample.mps, 100 * sample.neighbours));
+        series.x.push_back(static_cast<double>(sample.particles));
+        series.y.push_back(sample.mps);
+      }
+      plot.series.push_back(std::move(series));
+    }
+  }
+  return plot;
+}
+
+std::string developed_flow_csv(const SpeedOptions& speed, const ReportOptions& options) {
+  std::string csv = "dimension,particles,threads,time[s],speed[Mps/s],neighbours_share[1]\n";
+  for (const int dimension : {2, 3}) {
+    const Scene scene = speed_scene(dimension, speed.developed_particles);
+    for (const int threads : thread_counts(options.threads)) {
+      const SpeedSample sample = measure_speed(scene, threads, speed.seconds, developed);
+      options.message(
+          fmt::format("{}D, developed flow, {} threads: {:.2f} M particle-steps/s", dimension, threads, sample.mps));
+      csv += fmt::format("{},{},{},{},{:.3f},{:.3f}\n", dimension, sample.particles, threads, developed, sample.mps,
+                         sample.neighbours);
+    }
+  }
+  return csv;
+}
+
+std::string savings_csv(const SpeedOptions& speed, const ReportOptions& options) {
+  struct Case {
+    std::string name;
+    Scene with;
+    Scene without;
+    bool log = false;
+  };
+  std::vector<Case> cases;
+  for (const int dimension : {2, 3}) {
+    Scene plain = speed_scene(dimension, speed.developed_particles);
+    plain.fluid.viscosity = {ViscosityModel::none, 0};
+    const auto compare = [&](const char* name, auto change, bool log = false) {
+      Case each{fmt::format("{}D, {}", dimension, name), plain, plain, log};
+      change(each);
+      cases.push_back(std::move(each));
+    };
+    compare("viscosity", [](Case& each) { each.with.fluid.viscosity = {ViscosityModel::morris, 0}; });
+    compare("surface tension", [](Case& each) { each.with.fluid.surface_tension = {SurfaceTensionModel::seed_a, 0}; });
+    compare("walls out of reach", [&](Case& each) {
+      // Fluid alone, and beside it a tank that it never meets.
+      each.without.walls.clear();
+      for (Wall& wall : each.with.walls) {
+        Tank& tank = std::get<Tank>(wall.shape);
+        tank.min.x += 10;
+        tank.max.x += 10;
+      }
+    });
+    compare(
+        "diagnostics in every step", [](Case&) {}, true);
+  }
+  constexpr int repeats = 5;
+  std::string csv = "case,with[Mps/s],without[Mps/s],saving[1]\n";
+  for (const Case& each : cases) {
+    std::vector<double> with;
+    std::vector<double> without;
+    std::vector<double> saving;
+    for (int k = 0; k < repeats; ++k) {
+      // Diagnostics are not part of solving: what they cost is how much longer the same steps take on the wall clock,
+      // which solving() measures, as they bring densities up to date.
+      with.push_back(measure_speed(each.with, options.threads, 0.2 * speed.seconds, 0, each.log).mps);
+      without.push_back(measure_speed(each.without, options.threads, 0.2 * speed.seconds).mps);
+      saving.push_back(1 - with.back() / without.back());
+    }
+    csv += fmt::format("\"{}\",{:.3f},{:.3f},{:.3f}\n", each.name, median(with), median(without), median(saving));
+    options.message(fmt::format("{}: absent, it saves {:.0f} %", each.name, 100 * median(saving)));
+  }
+  return csv;
+}
+
+std::string real_time_csv(const SpeedOptions& speed, const ReportOptions& options) {
+  std::string csv = "scene,particles,stiffness[Pa],simulated_time[s],wall_time[s],simulated_per_wall[1]\n";
+  for (Scene scene : {shipped_tower(), shipped_dam_break()}) {
+    scene.duration = std::min(scene.duration, speed.real_time_duration);
+    for (const double k : {1e4, 1e5, 1e6}) {
+      scene.solver.compressibility = Stiffness{k};
+      scene.timeline.clear();
+      const std::unique_ptr<Simulation> simulation = make_simulation(scene, options.threads);
+      while (!simulation->finished()) simulation->step();
+      const double wall = solving(*simulation);
+      csv += fmt::format("{},{},{:g},{:g},{:.3f},{:.3f}\n", scene.name, simulation->fluid_particles(), k,
+                         simulation->simulated_time(), wall, simulation->simulated_time() / wall);
+      options.message(fmt::format("{} with k = {:g} Pa: {:.2f} s simulated per second", scene.name, k,
+                                  simulation->simulated_time() / wall));
+    }
+  }
+  return csv;
+}
+
+void report_speed(const ReportOptions& options) {
+  ReportOptions checked = options;
+  if (!checked.message) checked.message = [](const std::string&) {};
+  const SpeedOptions speed;
+  write_plot(options.folder / "speed", speed_figure(speed, checked));
+  write_text(options.folder / "developed_flow.csv", developed_flow_csv(speed, checked));
+  write_text(options.folder / "real_time.csv", real_time_csv(speed, checked));
+  write_text(options.folder / "savings.csv", savings_csv(speed, checked));
+}
+
+}  // namespace weir

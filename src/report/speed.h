@@ -1,0 +1,45 @@
+// Studies of run time: how fast steps go, and what a term costs that a scene does not have.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "plot/plot.h"
+#include "report/report.h"
+#include "scene/scene.h"
+
+namespace weir {
+
+// A column of fluid beside a wall in a tank that is open at the top: seed A's dam break in about `particles` particles,
+// 1 m high; in 3D half as deep. Wendland C2 with h = 1.3 dx (21 neighbours) in 2D and 1.2 dx (58) in 3D, sound speed
+// 10 times that of the fall, viscosity 0.01 h c0. Nothing is drawn.
+Scene speed_scene(int dimension, std::int64_t particles);
+
+// Million particle-steps per second of solving: fluid particles times steps over the wall time of the solver.
+struct SpeedSample {
+  std::int64_t particles = 0;  // fluid
+  std::int64_t steps = 0;
+  double mps = 0;
+  double neighbours = 0;  // share of that time spent on sorting and lists
+};
+
+// Steps for about `seconds` of wall time after the run has reached `from` (s), logging every step if asked to.
+SpeedSample measure_speed(const Scene& scene, int threads, double seconds, double from = 0, bool log = false);
+
+struct SpeedOptions {
+  std::vector<std::int64_t> particles{1000, 10000, 100000, 1000000};
+  std::int64_t developed_particles = 100000;  // of the studies in developed flow; the front has then run 2 heights
+  double seconds = 2;                         // per measurement
+  double real_time_duration = 2;              // s that the scenes of seed A run
+};
+
+LinePlot speed_figure(const SpeedOptions& speed, const ReportOptions& options);
+std::string developed_flow_csv(const SpeedOptions& speed, const ReportOptions& options);
+// Each pair of cases in turn, five times; the median ratio. The left case has what the right one lacks, switched to
+// nothing: both compute the same.
+std::string savings_csv(const SpeedOptions& speed, const ReportOptions& options);
+// Simulated time over wall time of seed A's two scenes for k = 1e4, 1e5 and 1e6 Pa.
+std::string real_time_csv(const SpeedOptions& speed, const ReportOptions& options);
+
+}  // namespace weir
