@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdint>
 #include <set>
 
 #include "report/seed_a.h"
@@ -11,7 +12,7 @@ namespace weir {
 
 namespace {
 
-constexpr int count = 9;
+constexpr std::int64_t count = 9;
 constexpr int width = 640;  // pixels of one still; the height follows from the scene's picture
 
 std::string_view unit(ColorBy quantity) {
@@ -41,7 +42,7 @@ Stills stills_figure(const Scene& dam_break, const ReportOptions& options) {
   scene.render.overlay.clear();  // the captions and the title say it once
   const std::int64_t last = last_frame(scene);
   std::set<std::int64_t> wanted;
-  for (int k = 0; k < count; ++k) wanted.insert((2 * k * last + count - 1) / (2 * (count - 1)));
+  for (std::int64_t k = 0; k < count; ++k) wanted.insert((2 * k * last + count - 1) / (2 * (count - 1)));
 
   const std::unique_ptr<Simulation> simulation = make_simulation(scene, options.threads);
   const StillLife still_life = simulation->still_life();

@@ -44,13 +44,17 @@ class ShapeRules {
   void operator()(const Block& block) { corners(block.min, block.max); }
   void operator()(const Polyline& line) {
     if (!flat_only() || !few(line.points)) return;
-    for (std::size_t i = 1; i < line.points.size(); ++i) {
-      if (line.points[i] == line.points[i - 1]) {
+    const std::size_t n = line.points.size();
+    for (std::size_t i = 1; i < n; ++i) {
+      if (same_place(line.points[i], line.points[i - 1])) {
         return checker_.add(fmt::format("{}.points.{}", path_, i), "repeats the point before it");
       }
     }
-    if (line.closed && line.points.size() < 3)
-      return checker_.add(path_ + ".points", "needs at least 3 points to close");
+    if (line.closed && n < 3) return checker_.add(path_ + ".points", "needs at least 3 points to close");
+    // The first point once more is another way to write a closed line; one next to it makes a piece of no direction.
+    if (line.closed && line.points[n - 1] != line.points[0] && same_place(line.points[n - 1], line.points[0])) {
+      return checker_.add(fmt::format("{}.points.{}", path_, n - 1), "repeats the first point");
+    }
     if (line.closed) simple(line.points);
   }
   void operator()(const Round& round) { within_reach(round.center, round.radius); }
@@ -90,6 +94,11 @@ class ShapeRules {
                                                       axes[static_cast<std::size_t>(axis)], number_text(min[axis]),
                                                       number_text(max[axis])));
     }
+  }
+  // Nearer than any particle can tell; a piece between such points has no direction that could be computed.
+  bool same_place(const Vec3& a, const Vec3& b) const {
+    const double spacing = checker_.usable("particles.spacing") ? checker_.scene.particle_spacing : 0;
+    return glm::length(a - b) <= 1e-6 * spacing;
   }
   void within_reach(const Vec3& point, double radius) {
     if (!checker_.usable(path_, "particles.spacing")) return;

@@ -115,8 +115,12 @@ class Meeting {
         return false;
       });
     }
-    for (const Vec3& point : samples_[index]) fluid_.add(point, static_cast<std::int32_t>(index));
-    if (met.empty()) return;
+    if (met.empty()) {
+      for (const Vec3& point : samples_[index]) fluid_.add(point, static_cast<std::int32_t>(index));
+      return;
+    }
+    // Not in the grid, which so holds few points a cell, and every look into it stays short, however many volumes
+    // somebody puts in one place.
     std::sort(met.begin(), met.end());
     const std::string more = met.size() > 1 ? fmt::format(" and {} more", met.size() - 1) : "";
     checker_.add(volume_path(scene_, index), fmt::format("overlaps {}{}", volume_path(scene_, met.front()), more));

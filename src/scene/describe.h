@@ -36,7 +36,7 @@ inline constexpr Range not_negative{0, std::numeric_limits<double>::infinity(), 
 
 struct Spec {
   std::string_view meaning;
-  std::string_view unit = "";
+  std::string_view unit = {};
   Range range = {};
   bool required = false;
   int multiple = 1;  // whole numbers: of what

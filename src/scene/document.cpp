@@ -11,6 +11,8 @@
 #include <sstream>
 #include <utility>
 
+#include "scene/text.h"
+
 namespace weir {
 
 namespace {
@@ -68,15 +70,17 @@ class Builder : public YAML::EventHandler {
   }
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                 const std::string& value) override {
+    // The YAML library makes the escapes \N and \_ one byte each, which is not UTF-8; all other text was seen to be.
+    std::string text = with_whole_characters(value);
     if (key_expected()) {
-      key_ = value;
+      key_ = std::move(text);
       key_at_ = positions_.at(mark);
       has_key_ = true;
       refuse_extras(mark, tag, anchor);
       return;
     }
     Node& node = open(Node::Kind::scalar, mark);
-    node.text = value;
+    node.text = std::move(text);
     node.quoted = tag == "!";  // how the parser marks quotes and block scalars
     refuse_extras(mark, tag, anchor);
     close();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "scene/geometry.h"
@@ -85,12 +84,11 @@ void add_piece(std::vector<Vec3>& points, const Corner& a, const Corner& b, doub
   }
 }
 
-double distance_to_line(const std::vector<Vec3>& points, bool closed, const Vec3& point) {
-  double least = std::numeric_limits<double>::infinity();
+bool nearer_to_line(const std::vector<Vec3>& points, bool closed, const Vec3& point, double distance) {
   for (std::size_t i = 0; i + (closed ? 0 : 1) < points.size(); ++i) {
-    least = std::min(least, distance_to_segment(point, points[i], points[(i + 1) % points.size()]));
+    if (distance_to_segment(point, points[i], points[(i + 1) % points.size()]) < distance) return true;
   }
-  return least;
+  return false;
 }
 
 }  // namespace
@@ -112,10 +110,11 @@ std::vector<Vec3> sample_polyline(const Polyline& line, double dx, int layers) {
       add_piece(candidates, from, to, dx);
     }
     for (const Vec3& point : candidates) {
+      // Asked first, for it costs less: around many corners most candidates fall together.
+      if (kept.any_near(point, wall_merge_distance * dx)) continue;
       // Where the line bends more sharply than the layer is deep, pieces of the layer run through each other and come
       // too near to another part of the line: these are cut away.
-      if (distance_to_line(points, line.closed, point) < d - 1e-6 * dx) continue;
-      if (kept.any_near(point, wall_merge_distance * dx)) continue;
+      if (nearer_to_line(points, line.closed, point, d - 1e-6 * dx)) continue;
       kept.add(point, 0);
       result.push_back(point);
     }

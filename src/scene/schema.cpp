@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "scene/document.h"
 #include "scene/keys.h"
 #include "scene/number.h"
 #include "scene/reader.h"
@@ -31,7 +32,7 @@ void finish(Json& node) {
 std::string range_text(const Json& type) {
   if (type.contains("items")) return range_text(type.at("items"));
   for (const Json& form : type.value("anyOf", Json::array())) {
-    if (const std::string text = range_text(form); !text.empty()) return text;
+    if (std::string text = range_text(form); !text.empty()) return text;
   }
   const std::string multiple = type.contains("multipleOf") ? fmt::format(", in {}s", type.at("multipleOf").dump()) : "";
   if (type.contains("exclusiveMinimum")) {
@@ -69,7 +70,7 @@ void collect(std::vector<KeyRow>& rows, const Json& map, const std::string& path
                           !type.contains("anyOf");
     if (reserved) continue;
     KeyRow row;
-    row.key = path.empty() ? key : path + "." + key;
+    row.key = joined(path, key);
     row.type = type.value("weir:kind", type.contains("items")   ? "list of maps"
                                        : type.contains("anyOf") ? "several forms"
                                                                 : "map");

@@ -14,6 +14,9 @@ struct TextMistake {
 };
 TextMistake find_text_mistake(std::string_view text);
 
+// The text with each byte that begins no character made the character of that number.
+std::string with_whole_characters(std::string_view text);
+
 // The text without a byte order mark.
 std::string_view without_mark(std::string_view text);
 

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <ctime>
 #include <limits>
 
 #include "scene/sampling.h"
@@ -108,6 +109,17 @@ TEST(Check, NamesBothVolumesThatOverlap) {
   EXPECT_THAT(with_second(Polygon{{{1, 0.5, 0}, {2, 0, 0}, {2, 1, 0}}}), IsEmpty());
 }
 
+TEST(Check, AnswersSoonHoweverManyVolumesLieInOnePlace) {
+  Scene scene = scene_in(2);
+  scene.fluid.volumes.assign(400, {Ball{{0, 0, 0}, 2}, Vec3(0), Vec3(0)});
+  const std::clock_t began = std::clock();
+  const std::vector<std::string> all = said(scene);
+  EXPECT_LT(static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC, 10);
+  ASSERT_EQ(all.size(), 399U);
+  EXPECT_EQ(all.front(), "fluid.volumes.1.disc overlaps fluid.volumes.0.disc");
+  EXPECT_EQ(all.back(), "fluid.volumes.399.disc overlaps fluid.volumes.0.disc and 398 more");
+}
+
 TEST(Check, RefusesFluidOutsideClosedWalls) {
   const auto walls = [](const WallShape& shape) { return said_of_walls({{shape, 1, {}}}); };
   const std::vector<Vec3> square{{2, 0, 0}, {3, 0, 0}, {3, 1, 0}, {2, 1, 0}};
@@ -159,6 +171,13 @@ TEST(Check, RefusesShapesThatAreNone) {
               ElementsAre("fluid.volumes.0 is a shape of 2D scenes"));
   EXPECT_THAT(said_of_walls({{Polyline{{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}}, false, Flank::right}, 1, {}}}),
               ElementsAre("walls.0.polyline.points.1 repeats the point before it"));
+  // Two points so near that the piece between them has no direction in double precision.
+  EXPECT_THAT(said_of_walls({{Polyline{{{5, 5, 0}, {5, 5 + 1e-15, 0}, {6, 5, 0}}, false, Flank::right}, 1, {}}}),
+              ElementsAre("walls.0.polyline.points.1 repeats the point before it"));
+  EXPECT_THAT(said_of_walls({{Polyline{{{0, 0, 0}, {0, -1e-200, 0}, {-1, -1, 0}}, false, Flank::right}, 1, {}}}),
+              ElementsAre("walls.0.polyline.points.1 repeats the point before it"));
+  EXPECT_THAT(said_of_walls({{Polyline{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1e-200, 0}}, true, Flank::right}, 1, {}}}),
+              ElementsAre("walls.0.polyline.points.3 repeats the first point"));
   EXPECT_THAT(said_of_walls({{Tank{{0, 0, 0}, {1, 1, 0}, {Side::back}}, 1, {}}}),
               ElementsAre("walls.0.tank.open names front or back; a 2D tank has left, right, bottom and top"));
   EXPECT_THAT(said_of_walls({{Tank{{0, 0, 0}, {1, 1, 0}, {}}, 1, {Box{{1, 1, 0}, {0, 2, 0}}}}}),

@@ -224,6 +224,19 @@ TEST(Reader, RefusesValuesOutOfRange) {
               ElementsAre("s.yaml:6:10: render.fps must be at least 1 1/s and at most 1000 1/s, got 1000000000000"));
 }
 
+TEST(Reader, KeepsEscapedCharactersThroughWritingAndReading) {
+  const auto title = [](const std::string& text) {
+    const Scene scene = scene_of(shortest_text + "title: \"" + text + "\"\n");
+    EXPECT_EQ(scene_of(write_scene(scene)).title, scene.title);
+    return scene.title;
+  };
+  EXPECT_EQ(title(R"(a\Nb\_c)"), "a\u0085b\u00a0c");  // next line, no-break space
+  EXPECT_EQ(title(R"(\N\Né\_)"), "\u0085\u0085é\u00a0");
+  EXPECT_EQ(title(R"(\x85\xe9\u2028\U0010ffff)"), "\u0085é\u2028\U0010ffff");
+  EXPECT_EQ(title(R"(tab\t quote\" bell\x07)"), "tab\t quote\" bell\a");
+  EXPECT_THAT(with_line(R"("\_": 1)"), ElementsAre(HasSubstr("unknown key '\u00a0'")));
+}
+
 TEST(Reader, RefusesOddFrameSizes) {
   EXPECT_THAT(with_line("render: {size: [1921, 1080]}"),
               ElementsAre("s.yaml:6:17: render.size.0 must be a multiple of 2, got 1921"));

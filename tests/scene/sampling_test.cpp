@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <numbers>
 #include <tuple>
 
@@ -218,6 +219,15 @@ TEST(Sampling, FollowsCornersOfAnyAngleWithoutGapsOrCrowding) {
       EXPECT_LE(distance_to_nearest(points, {0.01 * k, 0, 0}), reach) << degrees << " at " << 0.01 * k;
     }
   }
+}
+
+TEST(Sampling, SamplesALineOfManyCornersSoon) {
+  Polyline line;
+  for (int i = 0; i < 500; ++i) line.points.emplace_back(0.001 * i, 0.01 * (i % 2), 0);
+  const std::clock_t began = std::clock();
+  const std::vector<Vec3> points = sample_wall({line, 100, {}}, 2, dx, 100);
+  EXPECT_LT(static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC, 10);
+  EXPECT_GE(least_distance(points), wall_merge_distance);
 }
 
 TEST(Sampling, PutsRoundWallsOnRings) {
