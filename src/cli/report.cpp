@@ -14,7 +14,8 @@ namespace weir {
 namespace {
 
 const std::map<std::string, void (*)(const ReportOptions&)>& reports() {
-  static const std::map<std::string, void (*)(const ReportOptions&)> table{{"seed-a", report_seed_a}, {"speed", report_speed}};
+  static const std::map<std::string, void (*)(const ReportOptions&)> table{{"seed-a", report_seed_a},
+                                                                           {"speed", report_speed}};
   return table;
 }
 

@@ -70,6 +70,12 @@ void Wcsph<Dim>::find_neighbours() {
 }
 
 template <int Dim>
+void Wcsph<Dim>::relist() {
+  neighbours_.forget();
+  find_neighbours();
+}
+
+template <int Dim>
 double Wcsph<Dim>::pressure_at(std::size_t slot) const {
   const double rho = fluid_.density[slot];
   return static_cast<double>(fluid_.pressure[slot]) * rho * rho;

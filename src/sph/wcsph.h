@@ -37,6 +37,7 @@ class Wcsph {
 
   // One time step, in the order of the algorithm box; each needs those before it.
   void find_neighbours();
+  void relist();  // the same, though the lists may be right
   void compute_density_and_pressure();
   void compute_accelerations();
   // Moves the particles by dt. Returns the particle of the smallest id that moved farther than `step_reach()`, or whose
