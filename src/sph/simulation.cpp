@@ -53,7 +53,12 @@ class SimulationIn final : public Simulation {
         sampling_(sample(scene)),
         clock_(scene_),
         timeline_(scene_),
-        solver_(scene_, sampling_, team_, instruction_set) {
+        solver_(scene_, sampling_, team_, instruction_set),
+        walls_(static_cast<std::int64_t>(sampling_.wall_positions.size())) {
+    // Where everything began is needed again for a reset alone.
+    const bool resets = std::any_of(scene_.timeline.begin(), scene_.timeline.end(),
+                                    [](const TimelineEvent& event) { return event.reset; });
+    if (!resets) sampling_ = {};
     follow_timeline();
   }
 
@@ -63,7 +68,7 @@ class SimulationIn final : public Simulation {
   std::int64_t steps() const override { return steps_; }
   std::int64_t frame_index() const override { return clock_.frame_index(); }
   std::int64_t fluid_particles() const override { return static_cast<std::int64_t>(solver_.fluid().count); }
-  std::int64_t wall_particles() const override { return static_cast<std::int64_t>(sampling_.wall_positions.size()); }
+  std::int64_t wall_particles() const override { return walls_; }
 
   void step() override {
     if (timeline_.paused()) {
@@ -139,7 +144,14 @@ class SimulationIn final : public Simulation {
     StillLife still;
     still.particle_spacing = scene_.particle_spacing;
     still.max_speed_estimate = max_speed_estimate(scene_);
-    for (const Vec3& x : sampling_.wall_positions) still.walls.emplace_back(x);
+    const WallParticles<Dim>& walls = solver_.walls();
+    for (std::size_t slot = 0; slot < walls.slots(); ++slot) {
+      if (walls.empty(slot)) continue;
+      const Vec<Dim, double> x = walls.position(slot);
+      glm::vec3 shown(0);
+      for (int d = 0; d < Dim; ++d) shown[d] = static_cast<float>(x[d]);
+      still.walls.push_back(shown);
+    }
     return still;
   }
 
@@ -304,6 +316,7 @@ class SimulationIn final : public Simulation {
   Clock clock_;
   Timeline timeline_;
   Wcsph<Dim> solver_;
+  std::int64_t walls_;
   double stiffness_ = -1;  // in force, Pa
   bool up_to_date_ = false;
   double simulated_time_ = 0;

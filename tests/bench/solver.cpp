@@ -91,11 +91,11 @@ const bool registered = [] {
     for (const InstructionSet set : usable_instruction_sets()) {
       for (const auto& [stage, name] : stages) {
         for (const int dimension : {2, 3}) {
-          benchmark::RegisterBenchmark(
-              fmt::format("{}D/{}/{}/{}", dimension, particles, name_of(set), name).c_str(),
-              [=](benchmark::State& state) {
-                dimension == 2 ? run_stage<2>(state, stage, particles, set) : run_stage<3>(state, stage, particles, set);
-              })
+          benchmark::RegisterBenchmark(fmt::format("{}D/{}/{}/{}", dimension, particles, name_of(set), name).c_str(),
+                                       [=](benchmark::State& state) {
+                                         dimension == 2 ? run_stage<2>(state, stage, particles, set)
+                                                        : run_stage<3>(state, stage, particles, set);
+                                       })
               ->UseRealTime()
               ->Unit(benchmark::kMillisecond);
         }
