@@ -17,4 +17,23 @@ struct Image {
   const std::uint8_t* pixel(int x, int y) const { return &rgba[4 * (static_cast<std::size_t>(y) * width + x)]; }
 };
 
+// What a movie's frame holds: 8-bit Y'CbCr of BT.709, Y in 16 .. 235 and chroma in 16 .. 240, one sample of chroma for
+// 2 x 2 pixels, level with the middle of their left edge as H.264 has it by default; rows from top to bottom, no padding.
+struct MovieImage {
+  int width = 0;  // even, as is the height
+  int height = 0;
+  std::vector<std::uint8_t> y;   // width * height
+  std::vector<std::uint8_t> cb;  // a quarter of that
+  std::vector<std::uint8_t> cr;
+
+  void resize(int new_width, int new_height) {
+    width = new_width;
+    height = new_height;
+    const std::size_t pixels = static_cast<std::size_t>(width) * height;
+    y.resize(pixels);
+    cb.resize(pixels / 4);
+    cr.resize(pixels / 4);
+  }
+};
+
 }  // namespace weir

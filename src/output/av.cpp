@@ -63,19 +63,29 @@ Input open_input(const std::filesystem::path& file) {
   return input;
 }
 
-Scaler color_scaler(int width, int height, AVPixelFormat from, AVPixelFormat to, YuvKind yuv) {
+Scaler rgba_scaler(int width, int height, const YuvKind& yuv) {
   // Accurate rounding and chroma at full horizontal resolution: without them a flat colour is off by several steps.
   constexpr int quality = SWS_BILINEAR | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INP | SWS_FULL_CHR_H_INT | SWS_BITEXACT;
   const std::string doing = "convert colours";
-  Scaler scaler(
-      require(sws_getContext(width, height, from, width, height, to, quality, nullptr, nullptr, nullptr), doing));
-  const bool to_rgb = to == AV_PIX_FMT_RGB0 || to == AV_PIX_FMT_RGBA;
+  Scaler scaler(require(sws_alloc_context(), doing));
+  const auto option = [&](const char* name, int value) {
+    require(av_opt_set_int(scaler.get(), name, value, 0), doing);
+  };
+  option("srcw", width);
+  option("srch", height);
+  option("dstw", width);
+  option("dsth", height);
+  option("src_format", yuv.format);
+  option("dst_format", AV_PIX_FMT_RGBA);
+  option("sws_flags", quality);
+  // In 1/256 of a pixel; without it libswscale takes the middle.
+  if (yuv.format == AV_PIX_FMT_YUV420P && yuv.chroma != AVCHROMA_LOC_CENTER) option("src_h_chr_pos", 0);
+  require(sws_init_context(scaler.get(), nullptr, nullptr), doing);
   const int* matrix = sws_getCoefficients(yuv.matrix);  // libswscale numbers them as libavutil does
-  const int yuv_is_full = yuv.range == AVCOL_RANGE_JPEG ? 1 : 0;
   constexpr int unity = 1 << 16;
-  require(sws_setColorspaceDetails(scaler.get(), matrix, to_rgb ? yuv_is_full : 1, matrix, to_rgb ? 1 : yuv_is_full, 0,
-                                   unity, unity),
-          doing);
+  require(
+      sws_setColorspaceDetails(scaler.get(), matrix, yuv.range == AVCOL_RANGE_JPEG ? 1 : 0, matrix, 1, 0, unity, unity),
+      doing);
   return scaler;
 }
 

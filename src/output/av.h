@@ -4,6 +4,7 @@
 extern "C" {
 #include <libavcodec/avcodec.h>
 #include <libavformat/avformat.h>
+#include <libavutil/imgutils.h>
 #include <libavutil/opt.h>
 #include <libavutil/pixdesc.h>
 #include <libswscale/swscale.h>
@@ -49,11 +50,14 @@ Input open_input(const std::filesystem::path& file);  // throws OutputError
 // A file's name that libav never takes for a protocol's, whatever it contains.
 std::string url_of(const std::filesystem::path& file);
 
-// Between full-range RGB and YUV 4:2:0 of the matrix and range given, either way.
+// From YUV to full-range RGBA, by the tags that a movie has. What it does not say is taken as in H.264: samples of chroma
+// beside the left edge of their pixels.
 struct YuvKind {
+  AVPixelFormat format = AV_PIX_FMT_YUV420P;
   AVColorSpace matrix = AVCOL_SPC_BT709;
   AVColorRange range = AVCOL_RANGE_MPEG;
+  AVChromaLocation chroma = AVCHROMA_LOC_LEFT;
 };
-Scaler color_scaler(int width, int height, AVPixelFormat from, AVPixelFormat to, YuvKind yuv);
+Scaler rgba_scaler(int width, int height, const YuvKind& yuv);
 
 }  // namespace weir::av

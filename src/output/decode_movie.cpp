@@ -107,9 +107,11 @@ class LibavReader final : public MovieReader {
     }
     if (!scaler_) {
       // By the movie's own tags, as every player does.
-      const auto format = static_cast<AVPixelFormat>(frame_->format);
-      scaler_ = color_scaler(frame_->width, frame_->height, format, AV_PIX_FMT_RGBA,
-                             {.matrix = frame_->colorspace, .range = frame_->color_range});
+      scaler_ = rgba_scaler(frame_->width, frame_->height,
+                            {.format = static_cast<AVPixelFormat>(frame_->format),
+                             .matrix = frame_->colorspace,
+                             .range = frame_->color_range,
+                             .chroma = frame_->chroma_location});
     }
     std::uint8_t* rows = image.rgba.data();
     const int stride = 4 * image.width;

@@ -1,4 +1,4 @@
-// The movie sink: pictures to YUV, to packets, to the part file, at the end to the movie. Entered by weir_open_movie.
+// The movie sink: pictures to packets, to the part file, at the end to the movie. Entered by weir_open_movie.
 #include <fmt/format.h>
 
 #include <array>
@@ -31,31 +31,18 @@ MovieText text_of(const Scene& scene, const Provenance& provenance) {
           .comment = fmt::format("weir {}, scene SHA-256 {}", provenance.version, provenance.scene_sha256)};
 }
 
-// A movie has no transparency: what is seen through lies before plain white or, in the dark theme, black.
-const Image& before_background(const Image& image, int background, Image& opaque) {
-  opaque = image;
-  for (std::size_t i = 0; i < opaque.rgba.size(); i += 4) {
-    const int alpha = image.rgba[i + 3];
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-      const int mixed = image.rgba[i + channel] * alpha + background * (255 - alpha);
-      opaque.rgba[i + channel] = static_cast<std::uint8_t>((mixed + 127) / 255);
-    }
-  }
-  return opaque;
+void copy_plane(const std::vector<std::uint8_t>& from, int width, int height, std::uint8_t* to, int stride) {
+  av_image_copy_plane(to, stride, from.data(), width, width, height);
 }
 
 class LibavSink final : public MovieSink {
  public:
   LibavSink(const std::filesystem::path& folder, const Scene& scene, const Provenance& provenance)
       : movie_(folder / (scene.name + ".mp4")),
-        transparent_(scene.render.transparent),
-        background_(scene.render.theme == Theme::light ? 255 : 0),
         encoder_(open_encoder(settings_of(scene))),
         name_(encoder_->codec->name),
         part_(std::make_unique<PartMovie>(part_file(folder, scene), *encoder_, text_of(scene, provenance))),
         part_path_(part_file(folder, scene)),
-        scaler_(color_scaler(encoder_->width, encoder_->height, AV_PIX_FMT_RGB0, AV_PIX_FMT_YUV420P,
-                             {.matrix = AVCOL_SPC_BT709, .range = AVCOL_RANGE_MPEG})),
         frame_(require(av_frame_alloc(), "hold a picture")),
         packet_(require(av_packet_alloc(), "hold a packet")) {
     frame_->width = encoder_->width;
@@ -75,17 +62,15 @@ class LibavSink final : public MovieSink {
   LibavSink(const LibavSink&) = delete;
   LibavSink& operator=(const LibavSink&) = delete;
 
-  void write(const Image& image) override {
+  void write(const MovieImage& image) override {
     if (image.width != encoder_->width || image.height != encoder_->height) {
       throw OutputError(fmt::format("cannot put a picture of {} x {} pixels into {}, which is {} x {}", image.width,
                                     image.height, movie_.string(), encoder_->width, encoder_->height));
     }
     require(av_frame_make_writable(frame_.get()), "hold a picture");
-    const Image& seen = transparent_ ? before_background(image, background_, opaque_) : image;
-    const std::uint8_t* rows = seen.rgba.data();
-    const int stride = 4 * seen.width;
-    require(sws_scale(scaler_.get(), &rows, &stride, 0, image.height, frame_->data, frame_->linesize),
-            "convert colours");
+    copy_plane(image.y, image.width, image.height, frame_->data[0], frame_->linesize[0]);
+    copy_plane(image.cb, image.width / 2, image.height / 2, frame_->data[1], frame_->linesize[1]);
+    copy_plane(image.cr, image.width / 2, image.height / 2, frame_->data[2], frame_->linesize[2]);
     frame_->pts = next_++;
     encode(frame_.get());
   }
@@ -122,14 +107,10 @@ class LibavSink final : public MovieSink {
   }
 
   std::filesystem::path movie_;
-  bool transparent_;
-  int background_;
-  Image opaque_;
   Codec encoder_;
   std::string name_;
   std::unique_ptr<PartMovie> part_;  // null once closed
   std::filesystem::path part_path_;
-  Scaler scaler_;
   Frame frame_;
   Packet packet_;
   std::int64_t next_ = 0;  // number of the next picture

@@ -25,7 +25,7 @@ class MovieSink {
   MovieSink& operator=(const MovieSink&) = delete;
 
   // Pictures come in order, one per frame time. Throws OutputError.
-  virtual void write(const Image& image) = 0;
+  virtual void write(const MovieImage& image) = 0;
   // Drains the encoder and turns <name>.part.mp4 into the faststart <name>.mp4. Without it what was written stays
   // playable in the part file. Throws OutputError.
   virtual void finish() = 0;

@@ -2,12 +2,12 @@
 
 #include "core/embed.h"
 
-WEIR_EMBED(disc_vert, WEIR_SHADERS "/disc.vert")
-WEIR_EMBED(disc_frag, WEIR_SHADERS "/disc.frag")
+WEIR_EMBED(gather_vert, WEIR_SHADERS "/gather.vert")
+WEIR_EMBED(gather_frag, WEIR_SHADERS "/gather.frag")
 
 namespace weir::assets {
 
-std::string_view disc_vert() { return embedded_disc_vert(); }
-std::string_view disc_frag() { return embedded_disc_frag(); }
+std::string_view gather_vert() { return embedded_gather_vert(); }
+std::string_view gather_frag() { return embedded_gather_frag(); }
 
 }  // namespace weir::assets

@@ -1,11 +1,10 @@
 #include "render/disc_painter.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <string>
-#include <utility>
+#include <cstring>
+
+#include <numbers>
 
 #include "render/assets.h"
 
@@ -13,123 +12,197 @@ namespace weir {
 
 namespace {
 
-void set(GLuint program, const char* name, const Vec3& v) {
-  const glm::vec3 f(v);
-  glProgramUniform3f(program, glGetUniformLocation(program, name), f.x, f.y, f.z);
+// From this radius on discs are round; below, dots, in pixels. As in gather.frag.
+constexpr double least_round = 1.0;
+
+// Blocks: what is drawn is covered with squares of this side.
+constexpr int square_size = 8;
+
+// Bins grow with the discs, so that a disc has about ten entries at any zoom.
+int bin_shift(double reach) {
+  return std::clamp(static_cast<int>(std::floor(std::log2(std::max(reach, 1.0) / 3))), 0, 12);
 }
-void set(GLuint program, const char* name, double a, double b) {
-  glProgramUniform2f(program, glGetUniformLocation(program, name), static_cast<float>(a), static_cast<float>(b));
+
+void set(GLuint program, const char* name, int a) {
+  glProgramUniform1i(program, glGetUniformLocation(program, name), a);
 }
 void set(GLuint program, const char* name, double a) {
   glProgramUniform1f(program, glGetUniformLocation(program, name), static_cast<float>(a));
 }
-void set(GLuint program, const char* name, bool a) {
-  glProgramUniform1i(program, glGetUniformLocation(program, name), a ? 1 : 0);
+
+template <class Item>
+void upload(GLuint buffer, std::span<const Item> items) {
+  glNamedBufferData(buffer, static_cast<GLsizeiptr>(items.size_bytes()), items.data(), GL_STREAM_DRAW);
 }
 
-// Half the size of a disc's point or quad beyond its radius, pixels; as in disc.vert.
-constexpr double rim = 0.51;
+// A colour and its place in the map, as in Entry.
+std::array<std::uint32_t, 256> packed(Colormap colors) {
+  for (std::uint32_t k = 0; k < colors.size(); ++k)
+    colors[k] = k << 24 | (colors[k] & 0xff) << 16 | (colors[k] & 0xff00) | colors[k] >> 16;
+  return colors;
+}
+
+// Multiplied with a quantity less the lower end of the range: its place in the map.
+float steps_per_unit(const DiscStyle& style) { return static_cast<float>(255 / (style.range[1] - style.range[0])); }
 
 }  // namespace
-
-DiscPainter::Variant DiscPainter::make_variant(const char* defines, GLuint buffer, GLuint step) {
-  Variant variant{build_program(std::string(assets::disc_vert()), std::string(assets::disc_frag()), defines), {}};
-  const GLuint vertices = variant.vertices.id();
-  glVertexArrayVertexBuffer(vertices, 0, buffer, 0, sizeof(glm::vec4));
-  glVertexArrayAttribFormat(vertices, 0, 4, GL_FLOAT, GL_FALSE, 0);
-  glVertexArrayAttribBinding(vertices, 0, 0);
-  glVertexArrayBindingDivisor(vertices, 0, step);
-  glEnableVertexArrayAttrib(vertices, 0);
-  return variant;
-}
 
 DiscPainter::DiscPainter(int width, int height)
     : width_(width),
       height_(height),
-      points_(make_variant("#define POINTS\n", particles_.id(), 0)),
-      quads_(make_variant("", particles_.id(), 1)) {
-  std::array<GLfloat, 2> sizes{};
-  glGetFloatv(GL_POINT_SIZE_RANGE, sizes.data());
-  std::array<GLint, 2> largest_viewport{};
-  glGetIntegerv(GL_MAX_VIEWPORT_DIMS, largest_viewport.data());
-  // A point whose centre lies outside the viewport is dropped even if its disc reaches into the picture. So the
-  // viewport is larger than the picture by the largest point's half size, as far as the driver allows.
-  const int room = (std::min(largest_viewport[0], largest_viewport[1]) - std::max(width, height)) / 2;
-  border_ = std::clamp(static_cast<int>(std::ceil(0.5 * std::min(sizes[1], 256.0f))), 0, std::max(room, 0));
-  point_limit_ = std::min<double>(sizes[1], 2.0 * border_);
+      bins_(width, height),
+      entry_texture_(make_buffer_texture(GL_RGBA32UI, entry_buffer_.id())),
+      range_texture_(make_buffer_texture(GL_RG32UI, range_buffer_.id())),
+      square_texture_(make_buffer_texture(GL_R32UI, square_buffer_.id())),
+      whole_texture_(make_buffer_texture(GL_R32UI, whole_buffer_.id())) {
+  const std::uint32_t first = 0;
+  upload(whole_buffer_.id(), std::span(&first, 1));
 }
 
-DiscColors::DiscColors(const Colormap& map, double opacity) {
-  std::array<glm::vec4, 256> colors{};
-  for (std::size_t k = 0; k < colors.size(); ++k)
-    colors[k] = glm::vec4(static_cast<float>(map[k] >> 16) / 255.0f, static_cast<float>(map[k] >> 8 & 0xff) / 255.0f,
-                          static_cast<float>(map[k] & 0xff) / 255.0f, static_cast<float>(opacity));
-  glNamedBufferData(buffer_.id(), sizeof(colors), colors.data(), GL_STATIC_DRAW);
+void DiscPainter::project_flat(std::span<const glm::vec4> particles, const Projection& projection,
+                               const DiscStyle& style) {
+  radius_ = projection.focal * style.radius;
+  dots_ = radius_ < least_round;
+  // A dot of less than a pixel falls on the 2 x 2 pixels around it; a larger one is spread so far that no pixel has more
+  // than its own area of it.
+  const double side = std::sqrt(std::numbers::pi) * radius_;
+  dot_spread_ = std::max(0.0, 2 - 2 / side);
+  const auto reach = static_cast<float>(!dots_ ? radius_ : dot_spread_ > 0 ? 1.0 : 0.5);
+  const auto scale = static_cast<float>(projection.focal);
+  const glm::vec2 origin(projection.principal.x - projection.focal * projection.eye.x,
+                         projection.principal.y + projection.focal * projection.eye.y);
+  const auto low = static_cast<float>(style.range[0]);
+  const float steps = steps_per_unit(style);
+  const Colormap colors = packed(style.colors);
+  const glm::vec2 limit(static_cast<float>(width_) + reach, static_cast<float>(height_) + reach);
+  for (const glm::vec4& particle : particles) {
+    const float x = origin.x + scale * particle.x;
+    const float y = origin.y - scale * particle.y;
+    const float step = std::clamp((particle.w - low) * steps, 0.0f, 255.0f);
+    // Written so that what is not a number is left out.
+    if (!(x > -reach && x < limit.x && y > -reach && y < limit.y && step >= 0)) continue;
+    discs_.push_back({x, y, reach, 0, colors[static_cast<std::size_t>(step + 0.5f)]});
+  }
+  bins_.reset(bin_shift(radius_));
 }
 
-double DiscPainter::largest_radius(std::span<const glm::vec4> particles, const Projection& projection, double radius) {
-  if (!projection.perspective) return projection.focal * radius;
-  double nearest = std::numeric_limits<double>::infinity();
+void DiscPainter::project_deep(std::span<const glm::vec4> particles, const Projection& projection,
+                               const DiscStyle& style) {
+  radius_ = style.radius;
+  focal_ = projection.focal;
+  dots_ = false;
+  const auto low = static_cast<float>(style.range[0]);
+  const float steps = steps_per_unit(style);
+  const Colormap colors = packed(style.colors);
   for (const glm::vec4& particle : particles) {
     const double depth = projection.depth(Vec3(particle));
-    if (depth > radius) nearest = std::min(nearest, depth);
+    if (!(depth > style.radius)) continue;  // behind the eye, or the eye is inside
+    const glm::vec2 center(projection.pixel(Vec3(particle)));
+    const auto reach = static_cast<float>(std::max(least_round, projection.focal * style.radius / depth));
+    const float step = std::clamp((particle.w - low) * steps, 0.0f, 255.0f);
+    if (!(center.x > -reach && center.x < static_cast<float>(width_) + reach && center.y > -reach &&
+          center.y < static_cast<float>(height_) + reach && step >= 0))
+      continue;
+    discs_.push_back(
+        {center.x, center.y, reach, static_cast<float>(depth), colors[static_cast<std::size_t>(step + 0.5f)]});
   }
-  return projection.focal * radius / nearest;
+  bins_.reset(bin_shift(projection.pixels_per_metre() * style.radius));
 }
 
-void DiscPainter::set_uniforms(const Variant& variant, const Projection& projection, const DiscStyle& style) const {
-  const GLuint program = variant.program.id();
-  set(program, "eye", projection.eye);
-  set(program, "right", projection.right);
-  set(program, "up", projection.up);
-  set(program, "forward", projection.forward);
-  set(program, "perspective", projection.perspective);
-  set(program, "focal", projection.focal);
-  set(program, "principal", projection.principal.x, projection.principal.y);
-  set(program, "radius", style.radius);
-  set(program, "viewport", width_ + 2.0 * border_, height_ + 2.0 * border_);
-  set(program, "border", static_cast<double>(border_));
-  set(program, "range", style.range[0], style.range[1]);
-  set(program, "shaded", style.shaded);
-}
-
-void DiscPainter::draw(std::span<const glm::vec4> particles, const Projection& projection, const DiscStyle& style,
-                       const DiscColors& colors) {
-  if (particles.empty()) return;
-  const bool as_points = 2 * (largest_radius(particles, projection, style.radius) + rim) <= point_limit_;
-  const Variant& variant = as_points ? points_ : quads_;
-  glNamedBufferData(particles_.id(), static_cast<GLsizeiptr>(particles.size_bytes()), particles.data(), GL_STREAM_DRAW);
-  set_uniforms(variant, projection, style);
-
-  glUseProgram(variant.program.id());
-  glBindVertexArray(variant.vertices.id());
-  glBindBufferBase(GL_UNIFORM_BUFFER, 0, colors.buffer());
-  glViewport(-border_, -border_, width_ + 2 * border_, height_ + 2 * border_);
-  glEnable(GL_PROGRAM_POINT_SIZE);
-  glEnable(GL_BLEND);
-  // Colours are blended as they are encoded in sRGB, not as light: so does every program that lays a picture with alpha
-  // over a page, hence a transparent picture looks there like one drawn on that background here. The alpha that results
-  // is that of "over", and the colour stays multiplied with it until it is read back.
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  const auto count = static_cast<GLsizei>(particles.size());
-  if (as_points)
-    glDrawArrays(GL_POINTS, 0, count);
+void DiscPainter::arrange(std::span<const glm::vec4> particles, const Projection& projection, const DiscStyle& style,
+                          std::vector<std::uint8_t>& stale) {
+  balls_ = projection.perspective;
+  opacity_ = style.opacity;
+  discs_.clear();
+  if (balls_)
+    project_deep(particles, projection, style);
   else
-    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
+    project_flat(particles, projection, style);
+  const std::span<const Disc> discs(discs_);
+  bins_.count(discs);
+  const std::size_t entries = bins_.close(stale);
+  upload(range_buffer_.id(), bins_.ranges());
+  list_squares();
+  // One entry at least: a buffer of nothing cannot be mapped.
+  const auto bytes = static_cast<GLsizeiptr>(std::max<std::size_t>(entries, 1) * sizeof(Entry));
+  glNamedBufferData(entry_buffer_.id(), bytes, nullptr, GL_STREAM_DRAW);
+  auto* to = static_cast<Entry*>(
+      glMapNamedBufferRange(entry_buffer_.id(), 0, bytes, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT));
+  if (to == nullptr) check_drawn();
+  bins_.scatter(discs, to, [](const Disc& disc) { return Entry{disc.x, disc.y, disc.color, disc.depth}; });
+  glUnmapNamedBuffer(entry_buffer_.id());
 }
 
-void sort_back_to_front(std::vector<glm::vec4>& particles, const Projection& projection) {
-  std::vector<std::pair<float, std::uint32_t>> order;
-  order.reserve(particles.size());
-  for (std::size_t k = 0; k < particles.size(); ++k) {
-    const double depth = projection.depth(Vec3(particles[k]));
-    if (depth > 0) order.emplace_back(-static_cast<float>(depth), static_cast<std::uint32_t>(k));
+void DiscPainter::list_squares() {
+  squares_.clear();
+  const int columns = ((width_ + block_width - 1) / block_width + square_size - 1) / square_size;
+  const int rows = ((height_ + block_height - 1) / block_height + square_size - 1) / square_size;
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column)
+      if (bins_.any_to_do(column * square_size, row * square_size, square_size))
+        squares_.push_back(static_cast<std::uint32_t>(row) << 16 | static_cast<std::uint32_t>(column));
+  upload(square_buffer_.id(), std::span<const std::uint32_t>(squares_));
+}
+
+const GlProgram& DiscPainter::program(bool movie, bool overlay) {
+  std::string defines;
+  if (movie) defines += "#define YUV\n";
+  if (overlay) defines += "#define OVERLAY\n";
+  if (balls_) defines += "#define BALLS\n";
+  if (dots_) defines += "#define DOTS\n";
+  const auto found = programs_.find(defines);
+  if (found != programs_.end()) return found->second;
+  GlProgram made = build_program(std::string(assets::gather_vert()), std::string(assets::gather_frag()), defines);
+  int unit = 0;
+  for (const char* name : {"bins", "discs", "squares", "under_even", "under_odd", "over_even", "over_odd"})
+    set(made.id(), name, unit++);
+  return programs_.emplace(defines, std::move(made)).first->second;
+}
+
+void DiscPainter::prepare(GLuint framebuffer, const DiscOutput& output, const ColorTarget& background, bool overlay) {
+  const GLuint id = program(output.movie, overlay).id();
+  set(id, "bin_shift", bins_.shift());
+  set(id, "bin_columns", bins_.columns());
+  set(id, "radius", radius_);
+  set(id, "focal", focal_);
+  set(id, "opacity", opacity_);
+  set(id, "dot_area", std::numbers::pi * radius_ * radius_);
+  set(id, "dot_spread", dot_spread_);
+  set(id, "straight", output.straight ? 1 : 0);
+  glProgramUniform3f(id, glGetUniformLocation(id, "background"), output.background.r, output.background.g,
+                     output.background.b);
+  glUseProgram(id);
+  glBindTextureUnit(0, range_texture_.id());
+  glBindTextureUnit(1, entry_texture_.id());
+  // A layer may have changed where no disc has: it is drawn as one square over everything.
+  glBindTextureUnit(2, overlay ? whole_texture_.id() : square_texture_.id());
+  glProgramUniform2i(id, glGetUniformLocation(id, "blocks"), (width_ + block_width - 1) / block_width,
+                     (height_ + block_height - 1) / block_height);
+  set(id, "square_size", overlay ? std::max(width_, height_) : square_size);
+  glBindTextureUnit(3, background.even_rows());
+  glBindTextureUnit(4, background.odd_rows());
+  glBindVertexArray(no_vertices_.id());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+  glViewport(0, 0, (width_ + block_width - 1) / block_width, (height_ + block_height - 1) / block_height);
+}
+
+void DiscPainter::draw(GLuint framebuffer, const DiscOutput& output, const ColorTarget& background) {
+  prepare(framebuffer, output, background, false);
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(squares_.size()));
+}
+
+void DiscPainter::draw(GLuint framebuffer, const DiscOutput& output, const ColorTarget& background,
+                       const ColorTarget& layer, std::span<const IntBox> boxes) {
+  if (boxes.empty()) return;
+  prepare(framebuffer, output, background, true);
+  glBindTextureUnit(5, layer.even_rows());
+  glBindTextureUnit(6, layer.odd_rows());
+  glEnable(GL_SCISSOR_TEST);
+  for (const IntBox& box : boxes) {
+    glScissor(box.left / block_width, box.top / block_height, box.width() / block_width, box.height() / block_height);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   }
-  std::sort(order.begin(), order.end());
-  std::vector<glm::vec4> sorted;
-  sorted.reserve(order.size());
-  for (const auto& [depth, index] : order) sorted.push_back(particles[index]);
-  particles = std::move(sorted);
+  glDisable(GL_SCISSOR_TEST);
 }
 
 }  // namespace weir

@@ -44,8 +44,7 @@ GLuint VertexArrayTraits::create() { return created(glCreateVertexArrays); }
 void VertexArrayTraits::destroy(GLuint id) { glDeleteVertexArrays(1, &id); }
 GLuint FramebufferTraits::create() { return created(glCreateFramebuffers); }
 void FramebufferTraits::destroy(GLuint id) { glDeleteFramebuffers(1, &id); }
-GLuint RenderbufferTraits::create() { return created(glCreateRenderbuffers); }
-void RenderbufferTraits::destroy(GLuint id) { glDeleteRenderbuffers(1, &id); }
+void TextureTraits::destroy(GLuint id) { glDeleteTextures(1, &id); }
 GLuint ProgramTraits::create() { return glCreateProgram(); }
 void ProgramTraits::destroy(GLuint id) { glDeleteProgram(id); }
 
@@ -67,13 +66,22 @@ GlProgram build_program(const std::string& vertex_source, const std::string& fra
   return program;
 }
 
-RenderTarget::RenderTarget(int width, int height) {
-  glNamedRenderbufferStorage(color_.id(), GL_RGBA8, width, height);
-  glNamedFramebufferRenderbuffer(framebuffer_.id(), GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_.id());
-  const GLenum status = glCheckNamedFramebufferStatus(framebuffer_.id(), GL_DRAW_FRAMEBUFFER);
-  if (status != GL_FRAMEBUFFER_COMPLETE)
-    throw DeviceError(fmt::format("the driver cannot draw a picture of {} x {} pixels (framebuffer status 0x{:04x})",
-                                  width, height, status));
+GlTexture make_texture(GLenum format, int width, int height) {
+  GLuint id = 0;
+  glCreateTextures(GL_TEXTURE_2D, 1, &id);
+  GlTexture texture(id);
+  glTextureStorage2D(id, 1, format, width, height);
+  glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);  // integers cannot be interpolated
+  glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  return texture;
+}
+
+GlTexture make_buffer_texture(GLenum format, GLuint buffer) {
+  GLuint id = 0;
+  glCreateTextures(GL_TEXTURE_BUFFER, 1, &id);
+  GlTexture texture(id);
+  glTextureBuffer(id, format, buffer);
+  return texture;
 }
 
 void check_drawn() {

@@ -39,8 +39,7 @@ struct FramebufferTraits {
   static GLuint create();
   static void destroy(GLuint id);
 };
-struct RenderbufferTraits {
-  static GLuint create();
+struct TextureTraits {  // made by make_texture: what it is, is fixed at its birth
   static void destroy(GLuint id);
 };
 struct ProgramTraits {
@@ -50,7 +49,7 @@ struct ProgramTraits {
 using GlBuffer = GlObject<BufferTraits>;
 using GlVertexArray = GlObject<VertexArrayTraits>;
 using GlFramebuffer = GlObject<FramebufferTraits>;
-using GlRenderbuffer = GlObject<RenderbufferTraits>;
+using GlTexture = GlObject<TextureTraits>;
 using GlProgram = GlObject<ProgramTraits>;
 
 // `defines` stand behind the #version line of both stages. Throws DeviceError with the compiler's log.
@@ -60,15 +59,9 @@ GlProgram build_program(const std::string& vertex_source, const std::string& fra
 // Throws DeviceError if any call since the last check went wrong.
 void check_drawn();
 
-// A picture to draw into: 8 bits a channel, no depth. Throws DeviceError if the driver cannot.
-class RenderTarget {
- public:
-  RenderTarget(int width, int height);
-  GLuint framebuffer() const { return framebuffer_.id(); }
-
- private:
-  GlFramebuffer framebuffer_;
-  GlRenderbuffer color_;
-};
+// One level of texels, read as they are.
+GlTexture make_texture(GLenum format, int width, int height);
+// A view of a buffer as texels of that format.
+GlTexture make_buffer_texture(GLenum format, GLuint buffer);
 
 }  // namespace weir

@@ -3,28 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.h"
 #include "render/palette.h"
 
 namespace weir {
 
 namespace {
 
+constexpr std::size_t movie_sheets = 2;
+
 // In 3D walls would hide the fluid: small dots, nearly clear, behind it.
 constexpr double deep_wall_size = 0.35;  // of the particle's radius
 constexpr double deep_wall_opacity = 0.35;
 
-bool finite(const glm::vec4& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
-}
-
-// Undoes the multiplication of colours with alpha.
-void straighten(std::vector<std::uint8_t>& rgba) {
-  for (std::size_t k = 0; k < rgba.size(); k += 4) {
-    const int alpha = rgba[k + 3];
-    if (alpha == 0 || alpha == 255) continue;
-    for (std::size_t c = k; c < k + 3; ++c)
-      rgba[c] = static_cast<std::uint8_t>(std::min(255, (rgba[c] * 255 + alpha / 2) / alpha));
-  }
+std::uint32_t packed(Rgb color, std::uint32_t alpha) {
+  return alpha << 24 | static_cast<std::uint32_t>(color.b) << 16 | static_cast<std::uint32_t>(color.g) << 8 | color.r;
 }
 
 Colormap only(std::uint32_t color) {
@@ -33,30 +26,55 @@ Colormap only(std::uint32_t color) {
   return map;
 }
 
+int round_up(int value, int unit) { return (value + unit - 1) / unit * unit; }
+
+// The boxes, grown to whole blocks, within a picture of whole blocks.
+std::vector<IntBox> on_blocks(const std::vector<IntBox>& boxes, int width, int height) {
+  std::vector<IntBox> grown;
+  for (const IntBox& box : boxes) {
+    // One block more to the right: its chroma takes from the pixel to its left.
+    const IntBox whole{
+        std::max(box.left, 0) / block_width * block_width, std::max(box.top, 0) / block_height * block_height,
+        std::min(round_up(box.right + 1, block_width), width), std::min(round_up(box.bottom, block_height), height)};
+    if (whole.width() > 0 && whole.height() > 0) grown.push_back(whole);
+  }
+  return grown;
+}
+
+void clear(Image& image, const IntBox& box) {
+  for (int y = box.top; y < box.bottom; ++y) std::fill_n(image.pixel(box.left, y), 4 * box.width(), std::uint8_t{0});
+}
+
 }  // namespace
 
-GlRenderer::Drawing::Drawing(int width, int height, const Coloring& color, bool deep)
-    : discs(width, height),
-      fluid(colormap(color.map), 1),
-      walls(only(wall_color), deep ? deep_wall_opacity : 1),
-      background(width, height),
-      picture(width, height) {}
+GlRenderer::Drawing::Drawing(int width, int height)
+    : discs(width, height), empty(width, height), background(width, height) {}
 
 GlRenderer::GlRenderer(const Scene& scene, const StillLife& still_life, const DeviceChoice& choice)
     : width_(scene.render.size[0]),
       height_(scene.render.size[1]),
-      deep_(scene.dimension == 3),
-      theme_(scene.render.theme),
+      palette_(palette(scene.render.theme)),
       transparent_(scene.render.transparent),
-      fluid_style_{0.5 * still_life.particle_spacing, color_range(scene, still_life), deep_},
-      wall_style_{0.5 * still_life.particle_spacing * (deep_ ? deep_wall_size : 1.0), {0, 1}, false},
+      fluid_style_{0.5 * still_life.particle_spacing, color_range(scene, still_life), colormap(scene.render.color.map),
+                   1},
+      wall_style_{0.5 * still_life.particle_spacing, {0, 1}, only(wall_color), 1},
       overlay_(scene, color_range(scene, still_life)),
       camera_(scene, still_life, overlay_.content()),
       context_(EglContext::open(choice)) {
+  if (scene.dimension == 3) {
+    wall_style_.radius *= deep_wall_size;
+    wall_style_.opacity = deep_wall_opacity;
+  }
   if (scene.render.walls)
-    for (const glm::vec3& wall : still_life.walls)
-      if (finite(glm::vec4(wall, 0))) walls_.emplace_back(wall, 0.0f);
-  drawing_.emplace(width_, height_, scene.render.color, deep_);
+    for (const glm::vec3& wall : still_life.walls) walls_.emplace_back(wall, 0.0f);
+  const int padded = round_up(width_, block_width);
+  fixed_ = on_blocks(overlay_.fixed_boxes(), padded, height_);
+  changing_ = on_blocks(overlay_.changing_boxes(), padded, height_);
+  boxes_ = fixed_;
+  boxes_.insert(boxes_.end(), changing_.begin(), changing_.end());
+  drawing_.emplace(width_, height_);
+  drawing_->empty.fill(packed(transparent_ ? Rgb{} : palette_.background, transparent_ ? 0 : 255));
+  layer_ = {padded, height_, std::vector<std::uint8_t>(std::size_t{4} * padded * height_)};
 }
 
 GlRenderer::~GlRenderer() {
@@ -67,48 +85,87 @@ GlRenderer::~GlRenderer() {
   }
 }
 
-void GlRenderer::draw_background(const Projection& projection) {
-  glBindFramebuffer(GL_FRAMEBUFFER, drawing_->background.framebuffer());
-  const Rgb color = palette(theme_).background;
-  if (transparent_)
-    glClearColor(0, 0, 0, 0);
-  else
-    glClearColor(color.r / 255.0f, color.g / 255.0f, color.b / 255.0f, 1);
-  glClear(GL_COLOR_BUFFER_BIT);
-  drawing_->discs.draw(walls_, projection, wall_style_, drawing_->walls);
-  background_view_ = projection;
+void GlRenderer::see(const Frame& frame) {
+  const Projection projection = camera_.at(frame.time);
+  if (view_ == 0 || projection_ != projection) {
+    ++view_;
+    projection_ = projection;
+    draw_background();
+    for (const IntBox& box : fixed_) clear(layer_, box);
+    overlay_.draw_fixed(projection_, layer_);
+    texts_number_ = 0;  // one box may reach into another
+  }
+  const std::string texts = overlay_.changing_text(frame);
+  if (texts_number_ == 0 || texts_ != texts) {
+    ++texts_number_;
+    texts_ = texts;
+    draw_changing_texts(frame);
+  }
+  if (particles_number_ == 0 || particles_ != frame.particles) {
+    ++particles_number_;
+    particles_ = frame.particles;
+  }
 }
 
-std::span<const glm::vec4> GlRenderer::drawable(const std::vector<glm::vec4>& particles, const Projection& projection) {
-  if (!deep_ && std::all_of(particles.begin(), particles.end(), finite)) return particles;
-  kept_.clear();
-  std::copy_if(particles.begin(), particles.end(), std::back_inserter(kept_), finite);
-  if (deep_) sort_back_to_front(kept_, projection);
-  return kept_;
+void GlRenderer::draw_background() {
+  std::vector<std::uint8_t> stale;
+  drawing_->discs.arrange(walls_, projection_, wall_style_, stale);
+  drawing_->discs.draw(drawing_->background.framebuffer(), {}, drawing_->empty);
+  arranged_ = -1;
+}
+
+void GlRenderer::draw_changing_texts(const Frame& frame) {
+  for (const IntBox& box : changing_) clear(layer_, box);
+  overlay_.draw_changing(frame, layer_);
+}
+
+template <class Target>
+void GlRenderer::draw_on(Sheet<Target>& sheet, const DiscOutput& output) {
+  const bool same_view = sheet.view == view_;
+  const bool same_particles = same_view && sheet.particles == particles_number_;
+  const bool same_texts = same_view && sheet.texts == texts_number_;
+  if (same_particles && same_texts) return;
+  if (!same_view) sheet.stale.clear();
+  if (!same_particles || arranged_ != particles_number_) {
+    drawing_->discs.arrange(particles_, projection_, fluid_style_, sheet.stale);
+    arranged_ = particles_number_;
+  }
+  if (!same_texts)
+    for (const IntBox& box : same_view ? changing_ : boxes_) sheet.layer.upload(layer_, box);
+  const GLuint target = sheet.target.framebuffer();
+  if (!same_particles) drawing_->discs.draw(target, output, drawing_->background);
+  drawing_->discs.draw(target, output, drawing_->background, sheet.layer, same_particles ? changing_ : boxes_);
+  sheet.view = view_;
+  sheet.particles = particles_number_;
+  sheet.texts = texts_number_;
 }
 
 void GlRenderer::draw(const Frame& frame, Image& image) {
   context_->make_current();
-  const Projection projection = camera_.at(frame.time);
-  if (background_view_ != projection) draw_background(projection);
-  const GLuint picture = drawing_->picture.framebuffer();
-  glBlitNamedFramebuffer(drawing_->background.framebuffer(), picture, 0, 0, width_, height_, 0, 0, width_, height_,
-                         GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  glBindFramebuffer(GL_FRAMEBUFFER, picture);
-  drawing_->discs.draw(drawable(frame.particles, projection), projection, fluid_style_, drawing_->fluid);
-  read_back(image);
-  overlay_.draw(frame, projection, image);
+  see(frame);
+  if (!drawing_->picture) drawing_->picture.emplace(width_, height_);
+  draw_on(*drawing_->picture, {.movie = false, .straight = true, .background = {}});
+  drawing_->picture->target.read(image);
+  check_drawn();
 }
 
-void GlRenderer::read_back(Image& image) const {
-  image.width = width_;
-  image.height = height_;
-  image.rgba.resize(std::size_t{4} * width_ * height_);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, drawing_->picture.framebuffer());
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+void GlRenderer::start(const Frame& frame) {
+  if (started_ - finished_ == movie_sheets) throw DeviceError("more pictures begun than can be under way");
+  context_->make_current();
+  see(frame);
+  while (drawing_->movie.size() < movie_sheets) drawing_->movie.emplace_back(width_, height_);
+  draw_on(drawing_->movie[started_ % movie_sheets],
+          {.movie = true, .straight = false, .background = palette_.background});
+  glFlush();  // the device may begin
+  ++started_;
+}
+
+void GlRenderer::finish(MovieImage& image) {
+  if (started_ == finished_) throw DeviceError("no picture has been begun");
+  context_->make_current();
+  drawing_->movie[finished_ % movie_sheets].target.read(image);
   check_drawn();
-  if (transparent_) straighten(image.rgba);
+  ++finished_;
 }
 
 }  // namespace weir

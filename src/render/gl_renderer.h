@@ -1,15 +1,16 @@
 // The renderer behind renderer.h.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "render/block_target.h"
 #include "render/camera.h"
 #include "render/disc_painter.h"
 #include "render/egl_context.h"
-#include "render/gl_objects.h"
 #include "render/overlay.h"
 #include "render/renderer.h"
 
@@ -21,27 +22,43 @@ class GlRenderer final : public Renderer {
   ~GlRenderer() override;
 
   void draw(const Frame& frame, Image& image) override;
+  void start(const Frame& frame) override;
+  void finish(MovieImage& image) override;
   const std::string& gl_renderer() const override { return context_->gl_renderer(); }
 
  private:
-  // Everything that lives in the context, so that it can go before the context does.
-  struct Drawing {
-    Drawing(int width, int height, const Coloring& color, bool deep);
-    DiscPainter discs;
-    DiscColors fluid;
-    DiscColors walls;
-    RenderTarget background;  // what does not move: drawn once for each view
-    RenderTarget picture;
+  // A target, and what it shows.
+  template <class Target>
+  struct Sheet {
+    Sheet(int width, int height) : target(width, height), layer(width, height) {}
+    Target target;
+    ColorTarget layer;       // the overlay; one each, so that the next picture's need not wait for the last to be drawn
+    std::int64_t view = -1;  // numbers of what is shown, see below
+    std::int64_t particles = -1;
+    std::int64_t texts = -1;
+    std::vector<std::uint8_t> stale;  // bins that show more than the background
   };
 
-  void draw_background(const Projection& projection);
-  std::span<const glm::vec4> drawable(const std::vector<glm::vec4>& particles, const Projection& projection);
-  void read_back(Image& image) const;
+  // Everything that lives in the context, so that it can go before the context does.
+  struct Drawing {
+    Drawing(int width, int height);
+    DiscPainter discs;
+    ColorTarget empty;                          // nothing but the background's colour
+    ColorTarget background;                     // what does not move: drawn once for each view
+    std::optional<Sheet<ColorTarget>> picture;  // made when first asked for
+    std::vector<Sheet<MovieTarget>> movie;      // two, drawn to and read in turn
+  };
+
+  // Brings what is to be shown up to the frame, with its numbers.
+  void see(const Frame& frame);
+  void draw_background();
+  void draw_changing_texts(const Frame& frame);
+  template <class Target>
+  void draw_on(Sheet<Target>& sheet, const DiscOutput& output);
 
   int width_;
   int height_;
-  bool deep_;  // 3D
-  Theme theme_;
+  Palette palette_;
   bool transparent_;
   DiscStyle fluid_style_;
   DiscStyle wall_style_;
@@ -50,8 +67,22 @@ class GlRenderer final : public Renderer {
   CameraPath camera_;
   std::unique_ptr<EglContext> context_;
   std::optional<Drawing> drawing_;
-  std::optional<Projection> background_view_;  // of what `background` shows
-  std::vector<glm::vec4> kept_;
+
+  // What is to be shown, each with a number that grows when it changes.
+  Projection projection_;
+  std::int64_t view_ = 0;
+  std::vector<glm::vec4> particles_;
+  std::int64_t particles_number_ = 0;
+  std::string texts_;
+  std::int64_t texts_number_ = 0;
+  Image layer_;                // the overlay, as wide as whole blocks
+  std::vector<IntBox> fixed_;  // boxes of the overlay, between blocks
+  std::vector<IntBox> changing_;
+  std::vector<IntBox> boxes_;  // both
+
+  std::size_t started_ = 0;  // movie pictures
+  std::size_t finished_ = 0;
+  std::int64_t arranged_ = -1;  // number of the particles in the painter's bins
 };
 
 }  // namespace weir

@@ -86,13 +86,18 @@ void Overlay::draw_panel(const IntBox& box, Image& image) const {
   fill(image, {box.left - rim, box.top - rim, box.right + rim, box.bottom + rim}, palette_.background, panel_alpha);
 }
 
-void Overlay::draw(const Frame& frame, const Projection& projection, Image& image) {
-  const int size = layout_.size;
+void Overlay::draw_fixed(const Projection& projection, Image& image) {
   if (layout_.title) {
     draw_panel(*layout_.title, image);
     draw_text(image, bold_, layout_.title_size, layout_.title->left, baseline(*layout_.title), layout_.title_text,
               palette_.text);
   }
+  if (layout_.scale) draw_scale(projection, image);
+  if (layout_.colorbar) draw_colorbar(image);
+}
+
+void Overlay::draw_changing(const Frame& frame, Image& image) {
+  const int size = layout_.size;
   if (layout_.time) {
     draw_panel(*layout_.time, image);
     draw_text(image, font_, size, layout_.time->left, baseline(*layout_.time), time_text(frame.time), palette_.text);
@@ -102,8 +107,23 @@ void Overlay::draw(const Frame& frame, const Projection& projection, Image& imag
     draw_text(image, font_, size, layout_.cfl->left, baseline(*layout_.cfl), cfl_text(frame.cfl, frame.cfl_met),
               frame.cfl_met ? palette_.met : palette_.not_met);
   }
-  if (layout_.scale) draw_scale(projection, image);
-  if (layout_.colorbar) draw_colorbar(image);
+}
+
+std::string Overlay::changing_text(const Frame& frame) const {
+  return (layout_.time ? time_text(frame.time) : "") + (layout_.cfl ? cfl_text(frame.cfl, frame.cfl_met) : "");
+}
+
+std::vector<IntBox> Overlay::fixed_boxes() const { return with_rims({layout_.title, layout_.scale, layout_.colorbar}); }
+
+std::vector<IntBox> Overlay::changing_boxes() const { return with_rims({layout_.time, layout_.cfl}); }
+
+// Panels reach a quarter of the text's size beyond their items, and glyphs a pixel beyond their advance.
+std::vector<IntBox> Overlay::with_rims(const std::vector<std::optional<IntBox>>& items) const {
+  const int rim = layout_.size / 4 + 1;
+  std::vector<IntBox> boxes;
+  for (const std::optional<IntBox>& item : items)
+    if (item) boxes.push_back({item->left - rim, item->top - rim, item->right + rim, item->bottom + rim});
+  return boxes;
 }
 
 void Overlay::draw_colorbar(Image& image) {

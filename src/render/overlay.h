@@ -1,8 +1,9 @@
-// Title, time, colour bar, scale bar and CFL indicator, drawn over a finished picture by the processor: the same pixels
-// whichever device draws the particles.
+// Title, time, colour bar, scale bar and CFL indicator, drawn by the processor: the same pixels whichever device draws
+// the particles. On a clear picture they become a layer to be laid over others.
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,13 +27,23 @@ class Overlay {
   const PixelBox& content() const { return layout_.content; }
   const OverlayLayout& layout() const { return layout_; }
 
-  void draw(const Frame& frame, const Projection& projection, Image& image);
+  // What is the same for all frames of one view.
+  void draw_fixed(const Projection& projection, Image& image);
+  // What each frame says anew: time and CFL indicator.
+  void draw_changing(const Frame& frame, Image& image);
+  // The texts of the latter: while they stay, so does what it draws.
+  std::string changing_text(const Frame& frame) const;
+
+  // All pixels that the items may touch.
+  std::vector<IntBox> fixed_boxes() const;
+  std::vector<IntBox> changing_boxes() const;
 
  private:
   std::string time_text(double time) const;
   int baseline(const IntBox& row) const;
   void draw_panel(const IntBox& box, Image& image) const;
   void draw_colorbar(Image& image);
+  std::vector<IntBox> with_rims(const std::vector<std::optional<IntBox>>& items) const;
   void draw_scale(const Projection& projection, Image& image);
 
   Palette palette_;

@@ -25,8 +25,16 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  // Draws at the scene's size; `image` is resized when it does not fit. Must be called on the thread that made this.
+  // All of these draw at the scene's size, resize pictures that do not fit, throw DeviceError, and must be called on the
+  // thread that made this.
+
   virtual void draw(const Frame& frame, Image& image) = 0;
+
+  // The same picture for a movie, in two halves so that the device draws one while the last is read: start() begins it,
+  // finish() waits for the one begun first. At most two may be under way.
+  virtual void start(const Frame& frame) = 0;
+  virtual void finish(MovieImage& image) = 0;
+
   virtual const std::string& gl_renderer() const = 0;
 };
 

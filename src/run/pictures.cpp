@@ -33,6 +33,7 @@ void Pictures::open(const RunFolder& folder, const Provenance& provenance, int p
   if (scene_.output.movie) {
     movie_ = make_movie_sink(folder.path(), scene_, provenance);
     encoder_ = movie_->encoder();
+    for (int i = 0; i < movie_buffers; ++i) free_movie_images_.push(MovieImage{});
     encoding_ = std::thread([this] { encode_movie(); });
   }
   const bool pngs = scene_.output.frames || !stills_.empty();
@@ -91,11 +92,48 @@ void Pictures::draw_frames(const StillLife& still_life, const DeviceChoice& devi
     }
     free_frames_.push(std::move(*frame));
   }
+  try {
+    while (!under_way_.empty()) pass_on_movie(*renderer);
+  } catch (...) {
+    fail(std::current_exception());
+  }
   movie_images_.close();
   png_jobs_.close();
 }
 
 void Pictures::draw_one(Renderer& renderer, const Frame& frame) {
+  if (scene_.output.movie) draw_movie(renderer, frame);
+  if (scene_.output.frames || std::binary_search(stills_.begin(), stills_.end(), frame.index))
+    draw_png(renderer, frame);
+  ++drawn_;
+}
+
+// The device draws a picture while the last one is read; but with no frame waiting, nothing is held back.
+void Pictures::draw_movie(Renderer& renderer, const Frame& frame) {
+  MovieImage image = *free_movie_images_.pop();  // before it is drawn, so that the encoder holds up the solver
+  const Stopwatch watch;
+  renderer.start(frame);
+  under_way_.push_back(std::move(image));
+  {
+    const std::lock_guard lock(mutex_);
+    times_.render += watch.seconds();
+  }
+  while (under_way_.size() > (frames_.empty() ? 0U : 1U)) pass_on_movie(renderer);
+}
+
+void Pictures::pass_on_movie(Renderer& renderer) {
+  MovieImage image = std::move(under_way_.front());
+  under_way_.pop_front();
+  const Stopwatch watch;
+  renderer.finish(image);
+  {
+    const std::lock_guard lock(mutex_);
+    times_.render += watch.seconds();
+  }
+  movie_images_.push(std::move(image));
+}
+
+void Pictures::draw_png(Renderer& renderer, const Frame& frame) {
   std::unique_ptr<Image> image = std::move(*free_images_.pop());
   const Stopwatch watch;
   renderer.draw(frame, *image);
@@ -103,11 +141,9 @@ void Pictures::draw_one(Renderer& renderer, const Frame& frame) {
     const std::lock_guard lock(mutex_);
     times_.render += watch.seconds();
   }
-  ++drawn_;
   const SharedImage shared(image.release(), [this](const Image* done) {
     free_images_.push(std::unique_ptr<Image>(const_cast<Image*>(done)));  // ours alone again
   });
-  if (scene_.output.movie) movie_images_.push(shared);
   if (scene_.output.frames) png_jobs_.push({shared, frame.time, folder_->frame_file(frame.index)});
   if (std::binary_search(stills_.begin(), stills_.end(), frame.index)) {
     png_jobs_.push({shared, frame.time, folder_->still_file(frame.index)});
@@ -128,8 +164,9 @@ void Pictures::encode_movie() {
     }
     seconds += watch.seconds();
   };
-  while (const std::optional<SharedImage> image = movie_images_.pop()) {
-    attempt([&] { movie_->write(**image); });
+  while (std::optional<MovieImage> image = movie_images_.pop()) {
+    attempt([&] { movie_->write(*image); });
+    free_movie_images_.push(std::move(*image));
   }
   attempt([&] { movie_->finish(); });
   const std::lock_guard lock(mutex_);

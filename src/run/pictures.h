@@ -8,6 +8,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <deque>
 #include <exception>
 #include <filesystem>
 #include <future>
@@ -58,7 +59,7 @@ class Pictures {
   PictureTimes times() const { return times_; }  // after finish()
 
  private:
-  using SharedImage = std::shared_ptr<const Image>;
+  using SharedImage = std::shared_ptr<const Image>;  // a frame's file and its still are one picture
   struct PngJob {
     SharedImage image;
     double time = 0;  // s
@@ -66,11 +67,16 @@ class Pictures {
   };
   // Frames in flight: one being drawn, one waiting, one being filled.
   static constexpr int frame_buffers = 3;
-  // Images beyond those that the PNG workers hold: one being drawn, one encoded, one waiting.
-  static constexpr int image_buffers = 3;
+  // Movie pictures: one being read, one encoded, one waiting.
+  static constexpr int movie_buffers = 3;
+  // Images beyond those that the PNG workers hold: one being drawn, one waiting.
+  static constexpr int image_buffers = 2;
 
   void draw_frames(const StillLife& still_life, const DeviceChoice& device, std::promise<std::string> ready);
   void draw_one(Renderer& renderer, const Frame& frame);
+  void draw_movie(Renderer& renderer, const Frame& frame);
+  void pass_on_movie(Renderer& renderer);
+  void draw_png(Renderer& renderer, const Frame& frame);
   void encode_movie();
   void write_pngs();
   void fail(std::exception_ptr error);
@@ -86,9 +92,10 @@ class Pictures {
 
   // Pools before queues: what a queue still holds returns to its pool.
   Queue<std::unique_ptr<Image>> free_images_;
+  Queue<MovieImage> free_movie_images_;
   Queue<Frame> free_frames_;
   Queue<Frame> frames_;
-  Queue<SharedImage> movie_images_;
+  Queue<MovieImage> movie_images_;
   Queue<PngJob> png_jobs_;
 
   std::atomic<bool> failed_ = false;
@@ -96,6 +103,8 @@ class Pictures {
   std::exception_ptr error_;
   PictureTimes times_;
   std::atomic<std::int64_t> drawn_ = 0;
+
+  std::deque<MovieImage> under_way_;  // for those begun and not yet read; the drawing thread's own
 
   std::thread drawing_;
   std::thread encoding_;

@@ -32,6 +32,12 @@ class Queue {
     return item;
   }
 
+  // Whether nothing waits at this moment.
+  bool empty() const {
+    const std::lock_guard lock(mutex_);
+    return items_.empty();
+  }
+
   // No item will follow.
   void close() {
     {
@@ -42,7 +48,7 @@ class Queue {
   }
 
  private:
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<T> items_;
   bool closed_ = false;

@@ -15,6 +15,7 @@
 
 #include "frame/image.h"
 #include "output/sink.h"
+#include "support/movie_image.h"
 
 namespace weir::testing {
 
@@ -39,8 +40,8 @@ inline Image flat(int width, int height, std::array<int, 4> rgba) {
 
 // Picture number k of a row that can be told apart after any encoder: its grey level.
 inline int grey_of(std::int64_t k) { return static_cast<int>(20 + 40 * (k % 6)); }
-inline Image numbered(int width, int height, std::int64_t k) {
-  return flat(width, height, {grey_of(k), grey_of(k), grey_of(k), 255});
+inline MovieImage numbered(int width, int height, std::int64_t k) {
+  return movie_image(flat(width, height, {grey_of(k), grey_of(k), grey_of(k), 255}));
 }
 
 inline std::string content_of(const std::filesystem::path& file) {

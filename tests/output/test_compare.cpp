@@ -33,7 +33,7 @@ class Compare : public FolderTest {
     scene.output.movie->quality = 1;
     std::filesystem::create_directories(folder / subfolder);
     const auto sink = make_movie_sink(folder / subfolder, scene, provenance());
-    for (const int grey : greys) sink->write(flat(width, 48, {grey, grey, grey, 255}));
+    for (const int grey : greys) sink->write(movie_image(flat(width, 48, {grey, grey, grey, 255})));
     sink->finish();
   }
   void run_folder(const std::string& name, const std::string& hash, const std::string& log) const {

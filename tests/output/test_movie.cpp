@@ -21,29 +21,20 @@ using ::testing::StartsWith;
 
 class Movie : public FolderTest {
  protected:
-  std::filesystem::path write(const Scene& scene, const std::vector<Image>& pictures) const {
+  std::filesystem::path write(const Scene& scene, const std::vector<MovieImage>& pictures) const {
     const auto sink = make_movie_sink(folder, scene, provenance());
-    for (const Image& picture : pictures) sink->write(picture);
+    for (const MovieImage& picture : pictures) sink->write(picture);
     sink->finish();
     return folder / (scene.name + ".mp4");
   }
   std::filesystem::path write_numbered(const Scene& scene, int count) const {
-    std::vector<Image> pictures;
+    std::vector<MovieImage> pictures;
     for (int k = 0; k < count; ++k) {
       pictures.push_back(numbered(scene.render.size[0], scene.render.size[1], k));
     }
     return write(scene, pictures);
   }
 };
-
-// The grey of each frame, from the middle of the picture.
-std::vector<int> greys(const std::filesystem::path& movie) {
-  std::vector<int> levels;
-  decode_movie(movie, [&](std::int64_t, const Image& image) {
-    levels.push_back(*image.pixel(image.width / 2, image.height / 2));
-  });
-  return levels;
-}
 
 // Boxes of the outermost level, from the file's bytes.
 std::vector<std::string> boxes_of(const std::filesystem::path& movie) {
@@ -135,8 +126,8 @@ TEST_F(Movie, GivesColoursBackWithinTheRoundingOfLimitedRange) {
                                                   {254, 254, 254, 255}, {68, 1, 84, 255},   {253, 231, 37, 255}};
   Scene scene = movie_scene(64, 48, 1);
   scene.output.movie->quality = 0;  // a flat picture survives this encoder unchanged
-  std::vector<Image> pictures;
-  for (const auto& color : colors) pictures.push_back(flat(64, 48, color));
+  std::vector<MovieImage> pictures;
+  for (const auto& color : colors) pictures.push_back(movie_image(flat(64, 48, color)));
   decode_movie(write(scene, pictures), [&](std::int64_t index, const Image& image) {
     const auto& wanted = colors[static_cast<std::size_t>(index)];
     for (const auto& [x, y] : {std::pair(0, 0), std::pair(63, 0), std::pair(31, 24), std::pair(63, 47)}) {
@@ -162,21 +153,10 @@ TEST_F(Movie, KeepsASmoothGradient) {
     }
   }
   double squares = 0;
-  decode_movie(write(scene, {gradient}), [&](std::int64_t, const Image& image) {
+  decode_movie(write(scene, {movie_image(gradient)}), [&](std::int64_t, const Image& image) {
     for (std::size_t i = 0; i < image.rgba.size(); ++i) squares += std::pow(image.rgba[i] - gradient.rgba[i], 2);
   });
   EXPECT_GT(10 * std::log10(255.0 * 255.0 * 3 * 320 * 180 / squares), 49.3);
-}
-
-TEST_F(Movie, ShowsTransparencyBeforeTheBackground) {
-  for (const auto& [theme, wanted] : {std::pair(Theme::light, 228), std::pair(Theme::dark, 100)}) {
-    Scene scene = movie_scene(64, 48, 5);
-    scene.render.transparent = true;
-    scene.render.theme = theme;
-    scene.output.movie->quality = 0;
-    // 200 at 128/255: 200 * 0.502 + 0.498 * background.
-    EXPECT_NEAR(greys(write(scene, {flat(64, 48, {200, 200, 200, 128})})).at(0), wanted, 1);
-  }
 }
 
 TEST_F(Movie, OfOneFrameIsAMovie) {

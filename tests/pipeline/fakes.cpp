@@ -78,27 +78,41 @@ class FakeRenderer final : public Renderer {
     record_now.renderer_thread = std::this_thread::get_id();
   }
   void draw(const Frame& frame, Image& image) override {
-    work(behaviour_now.draw_time);
-    if (frame.index == behaviour_now.draw_fails_at) throw DeviceError("drawing failed on purpose");
+    draw_one(frame);
     image.width = 2;
     image.height = 1;
     image.rgba.assign(8, 0);
     image.rgba[0] = static_cast<std::uint8_t>(frame.index);
-    const std::lock_guard lock(record_mutex);
-    record_now.drawn.push_back(frame.index);
-    if (std::this_thread::get_id() != record_now.renderer_thread) record_now.drawn_elsewhere = true;
+  }
+  void start(const Frame& frame) override {
+    draw_one(frame);
+    begun_.push_back(frame.index);
+    if (begun_.size() > 2) throw DeviceError("three pictures under way");
+  }
+  void finish(MovieImage& image) override {
+    image.y.assign(1, static_cast<std::uint8_t>(begun_.at(0)));
+    begun_.erase(begun_.begin());
   }
   const std::string& gl_renderer() const override { return name_; }
 
  private:
+  void draw_one(const Frame& frame) {
+    work(behaviour_now.draw_time);
+    if (frame.index == behaviour_now.draw_fails_at) throw DeviceError("drawing failed on purpose");
+    const std::lock_guard lock(record_mutex);
+    if (record_now.drawn.empty() || record_now.drawn.back() != frame.index) record_now.drawn.push_back(frame.index);
+    if (std::this_thread::get_id() != record_now.renderer_thread) record_now.drawn_elsewhere = true;
+  }
+
+  std::vector<std::int64_t> begun_;
   std::string name_ = "fake renderer";
 };
 
 class FakeMovie final : public MovieSink {
  public:
-  void write(const Image& image) override {
+  void write(const MovieImage& image) override {
     work(behaviour_now.encode_time);
-    const std::int64_t frame = image.rgba[0];
+    const std::int64_t frame = image.y[0];
     if (frame == behaviour_now.encode_fails_at) throw OutputError("encoding failed on purpose");
     const std::lock_guard lock(record_mutex);
     record_now.encoded.push_back(frame);

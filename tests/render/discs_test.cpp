@@ -100,12 +100,30 @@ TEST(Discs, HaveTheMapsColourAtAKnownSpeed) {
   }
 }
 
-TEST(Discs, LaterIdsLieOverEarlierOnes) {
+TEST(Discs, TheNearestCentreLiesOnTop) {
   Still still = one_disc(10, {0, 0});
-  still.frame.particles = {glm::vec4(0, 0, 0, 0), glm::vec4(5, 0, 0, 1)};
-  EXPECT_EQ(rgb(drawn(still), 162, 90), colormap(ColormapName::viridis)[255]);
-  std::swap(still.frame.particles[0], still.frame.particles[1]);
-  EXPECT_EQ(rgb(drawn(still), 162, 90), colormap(ColormapName::viridis)[0]);
+  still.frame.particles = {glm::vec4(0, 0, 0, 0), glm::vec4(8, 0, 0, 1)};
+  const Image image = drawn(still);
+  EXPECT_EQ(rgb(image, 162, 90), colormap(ColormapName::viridis)[0]);    // 2.5 from one, 5.5 from the other
+  EXPECT_EQ(rgb(image, 165, 90), colormap(ColormapName::viridis)[255]);  // the other way round
+}
+
+TEST(Discs, AreTheSamePixelsInAnyOrder) {
+  for (const double radius : {0.4, 0.8, 1.3, 4.0, 30.0}) {  // dots of both kinds, discs that touch and that overlap
+    Still still = one_disc(radius, {0, 0});
+    auto& particles = still.frame.particles;
+    particles.clear();
+    for (int i = -40; i < 40; ++i)
+      for (int j = -25; j < 25; ++j)  // half of them on a lattice, where distances are equal
+        particles.emplace_back(1.9 * std::min(radius, 4.0) * i + (j % 2) * 0.3 * std::sin(12.9898 * i + 78.233 * j),
+                               1.9 * std::min(radius, 4.0) * j, 0.0, 0.5 + 0.5 * std::sin(3.0 * i + 5.0 * j));
+    const Image image = drawn(still);
+    std::reverse(particles.begin(), particles.end());
+    EXPECT_EQ(difference(drawn(still), image).pixels, 0) << radius;
+    for (std::size_t k = 0; k < particles.size(); ++k)
+      std::swap(particles[k], particles[(k * 7919) % particles.size()]);
+    EXPECT_EQ(difference(drawn(still), image).pixels, 0) << radius;
+  }
 }
 
 TEST(Discs, NoneLeaveTheBackground) {
@@ -262,6 +280,13 @@ TEST(Balls, NearOnesHideFarOnesWhateverTheirOrder) {
   const Image image = drawn(still);
   EXPECT_GT(image.pixel(160, 90)[2], image.pixel(160, 90)[0]);
   std::swap(still.frame.particles[0], still.frame.particles[1]);
+  EXPECT_EQ(difference(drawn(still), image).pixels, 0);
+}
+
+TEST(Balls, AreTheSamePixelsInAnyOrder) {
+  Still still = cup();
+  const Image image = drawn(still);
+  std::reverse(still.frame.particles.begin(), still.frame.particles.end());
   EXPECT_EQ(difference(drawn(still), image).pixels, 0);
 }
 

@@ -41,7 +41,8 @@ Image overlay_image(const Still& still) {
   Overlay overlay(still.scene, color_range(still.scene, still.still_life));
   const auto [width, height] = still.scene.render.size;
   Image image{width, height, std::vector<std::uint8_t>(std::size_t{4} * width * height, 255)};
-  overlay.draw(still.frame, projection_of(View2D{Vec3(0), 3}, width, height), image);
+  overlay.draw_fixed(projection_of(View2D{Vec3(0), 3}, width, height), image);
+  overlay.draw_changing(still.frame, image);
   return image;
 }
 
@@ -201,7 +202,7 @@ TEST(Overlay, AnItemOverFluidKeepsAPanelBehindIt) {
   Overlay overlay(still.scene, {0, 5});
   Image dark{640, 480, std::vector<std::uint8_t>(std::size_t{4} * 640 * 480, 0)};
   for (std::size_t k = 3; k < dark.rgba.size(); k += 4) dark.rgba[k] = 255;
-  overlay.draw(still.frame, projection_of(View2D{Vec3(0), 3}, 640, 480), dark);
+  overlay.draw_fixed(projection_of(View2D{Vec3(0), 3}, 640, 480), dark);
   const IntBox title = *overlay.layout().title;
   EXPECT_EQ(dark.pixel(title.left - 1, title.top - 1)[0], 190);  // 190/255 of white over black
   EXPECT_EQ(dark.pixel(320, 240)[0], 0);

@@ -1,0 +1,260 @@
+#version 450 core
+// Each fragment shades a block of 4 x 2 pixels: it looks up the discs that touch it in the bins and mixes them over the
+// background. Blocks, because looking up costs as much as shading; 4 x 2, because a block holds whole samples of chroma.
+//
+// BALLS: lit balls in perspective instead of discs. DOTS: discs too small to be seen round, spread over as few pixels as keep area and centre. OVERLAY: a layer on top. YUV: out
+// comes Y'CbCr of a movie, otherwise RGBA.
+//
+// Pixels do not depend on the order of the discs in a bin: coverage is summed in whole 1/1024, which floating point adds
+// exactly, and what decides overlaps are minima.
+
+uniform usamplerBuffer bins;      // for each the first disc and the one past the last; past before first: nothing to do
+uniform usamplerBuffer discs;     // see bins.h, Entry
+uniform usampler2D under_even;    // even rows of the background, 4 pixels a texel, colours multiplied with alpha
+uniform usampler2D under_odd;
+uniform usampler2D over_even;     // of the layer on top, colours not multiplied
+uniform usampler2D over_odd;
+uniform int bin_shift;            // a bin is 2^bin_shift blocks wide and high
+uniform int bin_columns;
+uniform float radius;             // pixels; of BALLS, metres
+uniform float focal;              // of BALLS, pixels per metre at one metre of depth
+uniform float opacity;            // of all discs
+uniform float dot_area;           // of DOTS, pixels
+uniform float dot_spread;         // of DOTS, 0 .. 1: from the neighbouring pixels to those beyond
+uniform vec3 background;          // 0 .. 255, behind all that is translucent in a movie
+uniform bool straight;            // RGBA is not multiplied with alpha
+
+#ifdef YUV
+// A sample of chroma lies beside the left edge of its 2 x 2 pixels and takes a quarter of the pixel to its left.
+const int columns = 5;
+layout(location = 0) out uint even_row;
+layout(location = 1) out uint odd_row;
+layout(location = 2) out uint blue_difference;
+layout(location = 3) out uint red_difference;
+#else
+const int columns = 4;
+layout(location = 0) out uvec4 even_row;
+layout(location = 1) out uvec4 odd_row;
+#endif
+const int first_column = 4 - columns;
+const int count = 2 * columns;
+const float full = 1024.0;  // coverage of a whole pixel
+const float far = 1e38;     // squared pixels
+
+vec3 unpack_rgb(uint color) { return vec3(color & 255u, color >> 8 & 255u, color >> 16 & 255u); }
+
+// Three chords cut the disc within the pixel, at the nodes of Gauss and Legendre, across the steeper side of the edge
+// where the chord is smooth; the error stays below 0.02 from one pixel of radius on.
+float coverage(vec2 off, float radius) {
+  float across = min(off.x, off.y);
+  float along = max(off.x, off.y) - 0.5;
+  vec3 at = across + vec3(-0.3872983, 0.0, 0.3872983);
+  vec3 inside = clamp(sqrt(max(radius * radius - at * at, 0.0)) - along, 0.0, 1.0);
+  return floor(dot(inside, full * vec3(0.2777778, 0.4444444, 0.2777778)) + 0.5);
+}
+
+#ifdef BALLS
+// How bright a ball is where its surface looks along `normal` (right, up, towards the eye): light from behind the viewer's
+// left shoulder, some from everywhere, and a darker rim that sets neighbours apart.
+float light(vec3 normal) {
+  float diffuse = max(dot(normal, vec3(-0.4243, 0.5657, 0.7071)), 0.0);
+  return (0.42 + 0.58 * diffuse) * mix(0.55, 1.0, min(2.5 * normal.z, 1.0));
+}
+#endif
+
+// Of a dot's area, the share of a pixel so far away along one axis. Both parts have the sum 1 over all pixels and their
+// centre at 0, wherever the dot lies between pixels.
+float spread(float off) {
+  off = abs(off);
+  return mix(max(1.0 - off, 0.0), 0.5 * clamp(1.5 - off, 0.0, 1.0), dot_spread);
+}
+
+// The pixels of a block, as the textures of the background hold them; `left` is the block to its left.
+void unpack_rows(uvec4 left_even, uvec4 left_odd, uvec4 even, uvec4 odd, out vec4 pixels[count]) {
+  uint texels[count];
+#ifdef YUV
+  texels[0] = left_even.w;
+  texels[columns] = left_odd.w;
+#endif
+  for (int c = 0; c < 4; ++c) {
+    texels[c - first_column] = even[c];
+    texels[columns + c - first_column] = odd[c];
+  }
+  for (int k = 0; k < count; ++k) pixels[k] = vec4(unpack_rgb(texels[k]), float(texels[k] >> 24) / 255.0);
+}
+
+uint pack(vec4 v) {
+  uvec4 bytes = uvec4(v + 0.5);
+  return bytes.x | bytes.y << 8 | bytes.z << 16 | bytes.w << 24;
+}
+
+#ifdef YUV
+// [Rec. ITU-R BT.709-6, 3.2 to 3.5], 8 bits, from RGB of 0 .. 255
+const vec3 luma = vec3(0.2126, 0.7152, 0.0722);
+float luma_of(vec3 rgb) { return 16.0 + 219.0 / 255.0 * dot(luma, rgb); }
+vec2 chroma_of(vec3 rgb) {
+  float y = dot(luma, rgb);
+  return 128.0 + 224.0 / 255.0 * vec2(rgb.b - y, rgb.r - y) / vec2(1.8556, 1.5748);
+}
+#endif
+
+void main() {
+  ivec2 block = ivec2(gl_FragCoord.xy);
+  ivec2 bin = block >> bin_shift;
+  uvec2 range = texelFetch(bins, bin.y * bin_columns + bin.x).xy;
+#ifndef OVERLAY  // which may have changed
+  if (range.x > range.y) discard;
+#endif
+
+  float x[columns];
+  for (int c = 0; c < columns; ++c) x[c] = float(max(4 * block.x + c + first_column, 0)) + 0.5;
+  float y[2] = float[2](float(2 * block.y) + 0.5, float(2 * block.y) + 1.5);
+
+  float covered[count];
+#ifdef DOTS
+  vec3 sum[count];
+#else
+  // Of the two nearest that touch the pixel: for BALLS, the depth of the surface, m; else the squared distance, whose
+  // lowest 8 bits are the disc's place in the colour map, so that among equals the colour decides.
+  float nearest[count];
+  float second[count];
+  uint nearest_color[count];
+  uint second_color[count];
+#ifdef BALLS
+  float nearest_light[count];
+  float second_light[count];
+  float nearest_share[count];
+#endif
+#endif
+  for (int k = 0; k < count; ++k) {
+    covered[k] = 0.0;
+#ifdef DOTS
+    sum[k] = vec3(0.0);
+#else
+    nearest[k] = second[k] = far;
+    nearest_color[k] = second_color[k] = 0u;
+#ifdef BALLS
+    nearest_light[k] = second_light[k] = nearest_share[k] = 0.0;
+#endif
+#endif
+  }
+
+  for (uint n = range.x; n < range.y; ++n) {
+    uvec4 entry = texelFetch(discs, int(n));
+    float center_x = uintBitsToFloat(entry.x);
+    float center_y = uintBitsToFloat(entry.y);
+    uint color = entry.z;
+#ifdef BALLS
+    float depth = uintBitsToFloat(entry.w);
+    float ball = radius * focal / depth;  // pixels
+    float seen = max(ball, 1.0);          // a smaller one turns too sharply within a pixel for the chords
+    float part = ball * ball / (seen * seen);
+#endif
+#ifdef DOTS
+    vec3 rgb = unpack_rgb(color);
+    float wide[columns];
+    for (int c = 0; c < columns; ++c) wide[c] = spread(x[c] - center_x);
+    for (int r = 0; r < 2; ++r) {
+      float high = full * dot_area * spread(y[r] - center_y);
+      for (int c = 0; c < columns; ++c) {
+        float share = floor(high * wide[c] + 0.5);
+        covered[columns * r + c] += share;
+        sum[columns * r + c] += share * rgb;
+      }
+    }
+#elif defined BALLS
+    for (int r = 0; r < 2; ++r) {
+      for (int c = 0; c < columns; ++c) {
+        int k = columns * r + c;
+        vec2 off = vec2(x[c] - center_x, center_y - y[r]);
+        vec2 across = off / seen;
+        vec3 normal = vec3(across, sqrt(max(1.0 - dot(across, across), 0.0)));
+        float share = floor(part * coverage(abs(off), seen) + 0.5);
+        float key = share > 0.0 ? depth - radius * normal.z : far;
+        float bright = light(normal);
+        covered[k] += share;
+        // Among equals the colour decides, then the light.
+        bool first = key < nearest[k] ||
+                     key == nearest[k] && (color < nearest_color[k] ||
+                                           color == nearest_color[k] && bright < nearest_light[k]);
+        bool other = key < second[k] ||
+                     key == second[k] && (color < second_color[k] || color == second_color[k] && bright < second_light[k]);
+        second_color[k] = first ? nearest_color[k] : other ? color : second_color[k];
+        second_light[k] = first ? nearest_light[k] : other ? bright : second_light[k];
+        second[k] = min(second[k], max(nearest[k], key));
+        nearest_color[k] = first ? color : nearest_color[k];
+        nearest_light[k] = first ? bright : nearest_light[k];
+        nearest_share[k] = first ? share : nearest_share[k];
+        nearest[k] = min(nearest[k], key);
+      }
+    }
+#else
+    for (int r = 0; r < 2; ++r) {
+      float off_y = abs(y[r] - center_y);
+      for (int c = 0; c < columns; ++c) {
+        int k = columns * r + c;
+        vec2 off = vec2(abs(x[c] - center_x), off_y);
+        float share = coverage(off, radius);
+        float key = uintBitsToFloat((floatBitsToUint(dot(off, off)) & ~255u) | color >> 24);
+        key = share > 0.0 ? key : far;
+        covered[k] += share;
+        second_color[k] = key < nearest[k] ? nearest_color[k] : key < second[k] ? color : second_color[k];
+        nearest_color[k] = key < nearest[k] ? color : nearest_color[k];
+        second[k] = min(second[k], max(nearest[k], key));
+        nearest[k] = min(nearest[k], key);
+      }
+    }
+#endif
+  }
+
+  ivec2 beside = ivec2(max(block.x - 1, 0), block.y);
+  vec4 pixels[count];
+  unpack_rows(texelFetch(under_even, beside, 0), texelFetch(under_odd, beside, 0), texelFetch(under_even, block, 0),
+              texelFetch(under_odd, block, 0), pixels);
+  for (int k = 0; k < count; ++k) {
+    float alpha = min(covered[k] / full, 1.0);
+#ifdef DOTS
+    vec3 rgb = sum[k] / max(covered[k], 1.0);
+#elif defined BALLS
+    // What the nearest leaves of the covered part is the second's; those behind it look alike.
+    float front = min(nearest_share[k] / max(min(covered[k], full), 1.0), 1.0);
+    vec3 rgb = mix(second_light[k] * unpack_rgb(second_color[k]), nearest_light[k] * unpack_rgb(nearest_color[k]), front);
+#else
+    // How much of the pixel lies on the nearest disc's side of the line between the two, were they tangent.
+    float side = clamp(0.5 + (second[k] - nearest[k]) / (4.0 * radius), 0.5, 1.0);
+    vec3 rgb = mix(unpack_rgb(second_color[k]), unpack_rgb(nearest_color[k]), side);
+#endif
+    pixels[k] = mix(pixels[k], vec4(rgb, 1.0), opacity * alpha);
+  }
+
+#ifdef OVERLAY
+  vec4 top[count];
+  unpack_rows(texelFetch(over_even, beside, 0), texelFetch(over_odd, beside, 0), texelFetch(over_even, block, 0),
+              texelFetch(over_odd, block, 0), top);
+  for (int k = 0; k < count; ++k) pixels[k] = mix(pixels[k], vec4(top[k].rgb, 1.0), top[k].a);
+#endif
+
+#ifdef YUV
+  if (block.x == 0) {  // the picture goes on as it begins
+    pixels[0] = pixels[1];
+    pixels[columns] = pixels[columns + 1];
+  }
+  vec3 rgb[count];
+  for (int k = 0; k < count; ++k) rgb[k] = pixels[k].rgb + (1.0 - pixels[k].a) * background;
+  vec3 both[columns];
+  for (int c = 0; c < columns; ++c) both[c] = rgb[c] + rgb[columns + c];
+  even_row = pack(vec4(luma_of(rgb[1]), luma_of(rgb[2]), luma_of(rgb[3]), luma_of(rgb[4])));
+  odd_row = pack(vec4(luma_of(rgb[6]), luma_of(rgb[7]), luma_of(rgb[8]), luma_of(rgb[9])));
+  vec2 first = chroma_of((both[0] + 2.0 * both[1] + both[2]) / 8.0);
+  vec2 last = chroma_of((both[2] + 2.0 * both[3] + both[4]) / 8.0);
+  blue_difference = uint(first.x + 0.5) | uint(last.x + 0.5) << 8;
+  red_difference = uint(first.y + 0.5) | uint(last.y + 0.5) << 8;
+#else
+  for (int k = 0; k < count; ++k) {
+    float scale = straight && pixels[k].a > 0.0 ? 1.0 / pixels[k].a : 1.0;
+    pixels[k] = vec4(min(pixels[k].rgb * scale, 255.0), 255.0 * pixels[k].a);
+  }
+  even_row = uvec4(pack(pixels[0]), pack(pixels[1]), pack(pixels[2]), pack(pixels[3]));
+  odd_row = uvec4(pack(pixels[4]), pack(pixels[5]), pack(pixels[6]), pack(pixels[7]));
+#endif
+}
