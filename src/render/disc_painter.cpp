@@ -23,6 +23,8 @@ int bin_shift(double reach) {
   return std::clamp(static_cast<int>(std::floor(std::log2(std::max(reach, 1.0) / 3))), 0, 12);
 }
 
+int across(int pixels, int unit) { return (pixels + unit - 1) / unit; }
+
 void set(GLuint program, const char* name, int a) {
   glProgramUniform1i(program, glGetUniformLocation(program, name), a);
 }
@@ -53,11 +55,7 @@ DiscPainter::DiscPainter(int width, int height)
       bins_(width, height),
       entry_texture_(make_buffer_texture(GL_RGBA32UI, entry_buffer_.id())),
       range_texture_(make_buffer_texture(GL_RG32UI, range_buffer_.id())),
-      square_texture_(make_buffer_texture(GL_R32UI, square_buffer_.id())),
-      whole_texture_(make_buffer_texture(GL_R32UI, whole_buffer_.id())) {
-  const std::uint32_t first = 0;
-  upload(whole_buffer_.id(), std::span(&first, 1));
-}
+      square_texture_(make_buffer_texture(GL_R32UI, square_buffer_.id())) {}
 
 void DiscPainter::project_flat(std::span<const glm::vec4> particles, const Projection& projection,
                                const DiscStyle& style) {
@@ -135,8 +133,8 @@ void DiscPainter::arrange(std::span<const glm::vec4> particles, const Projection
 
 void DiscPainter::list_squares() {
   squares_.clear();
-  const int columns = ((width_ + block_width - 1) / block_width + square_size - 1) / square_size;
-  const int rows = ((height_ + block_height - 1) / block_height + square_size - 1) / square_size;
+  const int columns = across(width_, block_width * square_size);
+  const int rows = across(height_, block_height * square_size);
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column)
       if (bins_.any_to_do(column * square_size, row * square_size, square_size))
@@ -174,21 +172,23 @@ void DiscPainter::prepare(GLuint framebuffer, const DiscOutput& output, const Co
   glUseProgram(id);
   glBindTextureUnit(0, range_texture_.id());
   glBindTextureUnit(1, entry_texture_.id());
-  // A layer may have changed where no disc has: it is drawn as one square over everything.
-  glBindTextureUnit(2, overlay ? whole_texture_.id() : square_texture_.id());
-  glProgramUniform2i(id, glGetUniformLocation(id, "blocks"), (width_ + block_width - 1) / block_width,
-                     (height_ + block_height - 1) / block_height);
-  set(id, "square_size", overlay ? std::max(width_, height_) : square_size);
+  glBindTextureUnit(2, square_texture_.id());
+  // Whole squares, or the middle of one at the edge would be outside, and a point there is not drawn.
+  const int columns = across(width_, block_width * square_size) * square_size;
+  const int rows = across(height_, block_height * square_size) * square_size;
+  glProgramUniform2i(id, glGetUniformLocation(id, "blocks"), columns, rows);
+  set(id, "square_size", square_size);
   glBindTextureUnit(3, background.even_rows());
   glBindTextureUnit(4, background.odd_rows());
   glBindVertexArray(no_vertices_.id());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-  glViewport(0, 0, (width_ + block_width - 1) / block_width, (height_ + block_height - 1) / block_height);
+  glViewport(0, 0, columns, rows);
 }
 
 void DiscPainter::draw(GLuint framebuffer, const DiscOutput& output, const ColorTarget& background) {
   prepare(framebuffer, output, background, false);
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(squares_.size()));
+  glEnable(GL_PROGRAM_POINT_SIZE);
+  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(squares_.size()));
 }
 
 void DiscPainter::draw(GLuint framebuffer, const DiscOutput& output, const ColorTarget& background,
