@@ -12,8 +12,11 @@ namespace weir {
 
 namespace {
 
-// From this radius on discs are round; below, dots, in pixels. As in gather.frag.
-constexpr double least_round = 1.0;
+// Up to this radius, pixels, a disc is spread as a dot: the largest of which no pixel has more than its own area.
+constexpr double largest_dot = std::numbers::inv_sqrtpi * 2;
+
+// A ball smaller than this, pixels, is drawn with this radius and fainter; as in gather.frag.
+constexpr double least_ball = 1;
 
 // Blocks: what is drawn is covered with squares of this side.
 constexpr int square_size = 8;
@@ -60,7 +63,7 @@ DiscPainter::DiscPainter(int width, int height)
 void DiscPainter::project_flat(std::span<const glm::vec4> particles, const Projection& projection,
                                const DiscStyle& style) {
   radius_ = projection.focal * style.radius;
-  dots_ = radius_ < least_round;
+  dots_ = radius_ < largest_dot;
   // A dot of less than a pixel falls on the 2 x 2 pixels around it; a larger one is spread so far that no pixel has more
   // than its own area of it.
   const double side = std::sqrt(std::numbers::pi) * radius_;
@@ -96,7 +99,7 @@ void DiscPainter::project_deep(std::span<const glm::vec4> particles, const Proje
     const double depth = projection.depth(Vec3(particle));
     if (!(depth > style.radius)) continue;  // behind the eye, or the eye is inside
     const glm::vec2 center(projection.pixel(Vec3(particle)));
-    const auto reach = static_cast<float>(std::max(least_round, projection.focal * style.radius / depth));
+    const auto reach = static_cast<float>(std::max(least_ball, projection.focal * style.radius / depth));
     const float step = std::clamp((particle.w - low) * steps, 0.0f, 255.0f);
     if (!(center.x > -reach && center.x < static_cast<float>(width_) + reach && center.y > -reach &&
           center.y < static_cast<float>(height_) + reach && step >= 0))
