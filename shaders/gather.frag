@@ -2,8 +2,8 @@
 // Each fragment shades a block of 4 x 2 pixels: it looks up the discs that touch it in the bins and mixes them over the
 // background. Blocks, because looking up costs as much as shading; 4 x 2, because a block holds whole samples of chroma.
 //
-// BALLS: lit balls in perspective instead of discs. DOTS: discs too small to be seen round, spread over as few pixels as keep area and centre. OVERLAY: a layer on top. YUV: out
-// comes Y'CbCr of a movie, otherwise RGBA.
+// BALLS: lit balls in perspective instead of discs. DOTS: discs too small to be seen round, spread over as few pixels as
+// keep area and centre. OVERLAY: a layer on top. YUV: out comes Y'CbCr of a movie, otherwise RGBA.
 //
 // Pixels do not depend on the order of the discs in a bin: coverage is summed in whole 1/1024, which floating point adds
 // exactly, and what decides overlaps are minima.

@@ -12,8 +12,11 @@ namespace weir {
 
 namespace {
 
-// From this radius on discs are round; below, dots, in pixels. As in gather.frag.
-constexpr double least_round = 1.0;
+// Up to this radius, pixels, a disc is spread as a dot: the largest of which no pixel has more than its own area.
+constexpr double largest_dot = std::numbers::inv_sqrtpi * 2;
+
+// A ball smaller than this, pixels, is drawn with this radius and fainter; as in gather.frag.
+constexpr double least_ball = 1;
 
 // Blocks: what is drawn is covered with squares of this side.
 constexpr int square_size = 8;
@@ -22,6 +25,8 @@ constexpr int square_size = 8;
 int bin_shift(double reach) {
   return std::clamp(static_cast<int>(std::floor(std::log2(std::max(reach, 1.0) / 3))), 0, 12);
 }
+
+int across(int pixels, int unit) { return (pixels + unit - 1) / unit; }
 
 void set(GLuint program, const char* name, int a) {
   glProgramUniform1i(program, glGetUniformLocation(program, name), a);
@@ -53,16 +58,12 @@ DiscPainter::DiscPainter(int width, int height)
       bins_(width, height),
       entry_texture_(make_buffer_texture(GL_RGBA32UI, entry_buffer_.id())),
       range_texture_(make_buffer_texture(GL_RG32UI, range_buffer_.id())),
-      square_texture_(make_buffer_texture(GL_R32UI, square_buffer_.id())),
-      whole_texture_(make_buffer_texture(GL_R32UI, whole_buffer_.id())) {
-  const std::uint32_t first = 0;
-  upload(whole_buffer_.id(), std::span(&first, 1));
-}
+      square_texture_(make_buffer_texture(GL_R32UI, square_buffer_.id())) {}
 
 void DiscPainter::project_flat(std::span<const glm::vec4> particles, const Projection& projection,
                                const DiscStyle& style) {
   radius_ = projection.focal * style.radius;
-  dots_ = radius_ < least_round;
+  dots_ = radius_ < largest_dot;
   // A dot of less than a pixel falls on the 2 x 2 pixels around it; a larger one is spread so far that no pixel has more
   // than its own area of it.
   const double side = std::sqrt(std::numbers::pi) * radius_;
@@ -98,7 +99,7 @@ void DiscPainter::project_deep(std::span<const glm::vec4> particles, const Proje
     const double depth = projection.depth(Vec3(particle));
     if (!(depth > style.radius)) continue;  // behind the eye, or the eye is inside
     const glm::vec2 center(projection.pixel(Vec3(particle)));
-    const auto reach = static_cast<float>(std::max(least_round, projection.focal * style.radius / depth));
+    const auto reach = static_cast<float>(std::max(least_ball, projection.focal * style.radius / depth));
     const float step = std::clamp((particle.w - low) * steps, 0.0f, 255.0f);
     if (!(center.x > -reach && center.x < static_cast<float>(width_) + reach && center.y > -reach &&
           center.y < static_cast<float>(height_) + reach && step >= 0))
@@ -135,8 +136,8 @@ void DiscPainter::arrange(std::span<const glm::vec4> particles, const Projection
 
 void DiscPainter::list_squares() {
   squares_.clear();
-  const int columns = ((width_ + block_width - 1) / block_width + square_size - 1) / square_size;
-  const int rows = ((height_ + block_height - 1) / block_height + square_size - 1) / square_size;
+  const int columns = across(width_, block_width * square_size);
+  const int rows = across(height_, block_height * square_size);
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column)
       if (bins_.any_to_do(column * square_size, row * square_size, square_size))
@@ -174,21 +175,23 @@ void DiscPainter::prepare(GLuint framebuffer, const DiscOutput& output, const Co
   glUseProgram(id);
   glBindTextureUnit(0, range_texture_.id());
   glBindTextureUnit(1, entry_texture_.id());
-  // A layer may have changed where no disc has: it is drawn as one square over everything.
-  glBindTextureUnit(2, overlay ? whole_texture_.id() : square_texture_.id());
-  glProgramUniform2i(id, glGetUniformLocation(id, "blocks"), (width_ + block_width - 1) / block_width,
-                     (height_ + block_height - 1) / block_height);
-  set(id, "square_size", overlay ? std::max(width_, height_) : square_size);
+  glBindTextureUnit(2, square_texture_.id());
+  // Whole squares, or the middle of one at the edge would be outside, and a point there is not drawn.
+  const int columns = across(width_, block_width * square_size) * square_size;
+  const int rows = across(height_, block_height * square_size) * square_size;
+  glProgramUniform2i(id, glGetUniformLocation(id, "blocks"), columns, rows);
+  set(id, "square_size", square_size);
   glBindTextureUnit(3, background.even_rows());
   glBindTextureUnit(4, background.odd_rows());
   glBindVertexArray(no_vertices_.id());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-  glViewport(0, 0, (width_ + block_width - 1) / block_width, (height_ + block_height - 1) / block_height);
+  glViewport(0, 0, columns, rows);
 }
 
 void DiscPainter::draw(GLuint framebuffer, const DiscOutput& output, const ColorTarget& background) {
   prepare(framebuffer, output, background, false);
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(squares_.size()));
+  glEnable(GL_PROGRAM_POINT_SIZE);
+  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(squares_.size()));
 }
 
 void DiscPainter::draw(GLuint framebuffer, const DiscOutput& output, const ColorTarget& background,

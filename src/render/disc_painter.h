@@ -85,8 +85,6 @@ class DiscPainter {
   std::vector<std::uint32_t> squares_;  // as in gather.vert: what the bins leave to do
   GlBuffer square_buffer_;
   GlTexture square_texture_;
-  GlBuffer whole_buffer_;  // the one square in the corner
-  GlTexture whole_texture_;
   GlVertexArray no_vertices_;
   std::map<std::string, GlProgram> programs_;
 };

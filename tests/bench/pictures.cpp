@@ -2,10 +2,11 @@
 // quantity, in the order of cells as the solver hands them over. Arguments are numbers of particles.
 #include <benchmark/benchmark.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <future>
-#include <queue>
+#include <memory>
 
 #include "output/sink.h"
 #include "render/disc_painter.h"
@@ -110,23 +111,51 @@ void read_movie(benchmark::State& state) {
   for (auto _ : state) target.read(image);
 }
 
-BENCHMARK(arrange)
-    ->Arg(15000)
-    ->Arg(100000)
-    ->Arg(1000000)
-    ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime()
-    ->UseRealTime();
-BENCHMARK(draw_movie)
-    ->Arg(5000)
-    ->Arg(15000)
-    ->Arg(100000)
-    ->Arg(1000000)
-    ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime()
-    ->UseRealTime();
-BENCHMARK(draw_png)->Arg(15000)->Arg(100000)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
-BENCHMARK(read_movie)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+std::unique_ptr<MovieSink> sink(const Still& still) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "weir_bench_pictures";
+  std::filesystem::create_directories(folder);
+  return make_movie_sink(folder, still.scene, {});
+}
+
+void encode(benchmark::State& state) {
+  const Still still = wave(state.range(0));
+  const auto renderer = make_renderer(still.scene, still.still_life, device_choice(""));
+  std::vector<MovieImage> images(still.frames.size());
+  for (std::size_t k = 0; k < images.size(); ++k) {
+    renderer->start(still.frames[k]);
+    renderer->finish(images[k]);
+  }
+  const auto movie = sink(still);
+  std::size_t k = 0;
+  for (auto _ : state) movie->write(images[k++ % images.size()]);
+}
+
+// From particles to packets: one picture is drawn while the last is read and the one before is encoded.
+void draw_and_encode(benchmark::State& state) {
+  const Still still = wave(state.range(0));
+  const auto renderer = make_renderer(still.scene, still.still_life, device_choice(""));
+  const auto movie = sink(still);
+  std::array<MovieImage, 2> images;
+  std::size_t k = 0;
+  std::future<void> encoded = std::async(std::launch::async, [] {});
+  renderer->start(still.frames[k++]);
+  for (auto _ : state) {
+    renderer->start(still.frames[k % still.frames.size()]);
+    MovieImage& image = images[k++ % 2];
+    renderer->finish(image);
+    encoded.get();
+    encoded = std::async(std::launch::async, [&] { movie->write(image); });
+  }
+  encoded.get();
+}
+
+#define STAGE(name) BENCHMARK(name)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime()
+STAGE(arrange)->Arg(15000)->Arg(100000)->Arg(1000000);
+STAGE(draw_movie)->Arg(15000)->Arg(100000)->Arg(1000000);
+STAGE(draw_png)->Arg(15000)->Arg(100000);
+STAGE(read_movie);
+STAGE(encode)->Arg(15000)->Arg(100000)->Arg(1000000);
+STAGE(draw_and_encode)->Arg(15000)->Arg(100000)->Arg(1000000);
 
 }  // namespace
 }  // namespace weir
