@@ -82,6 +82,7 @@ void Lattice::runs_of(const Ball& ball, std::int64_t y, std::int64_t z, std::vec
 
 // Between the outline's crossings (even-odd), so that slivers cost their rows and not their bounding box.
 void Lattice::runs_of(const Polygon& polygon, std::int64_t y, std::int64_t, std::vector<Run>& result) const {
+  const auto x = [&](std::int64_t column) { return base_.x + dx_ * (static_cast<double>(column) + shift_.x); };
   std::vector<double> crossed;
   crossings(polygon.points, base_.y + dx_ * (static_cast<double>(y) + shift_.y), crossed);
   for (std::size_t k = 0; k + 1 < crossed.size(); k += 2) {

@@ -25,7 +25,6 @@ class Lattice {
   const glm::i64vec3& size() const { return size_; }  // nodes in the box around all particles; some may be empty
 
   Vec3 point(const glm::i64vec3& node) const { return base_ + dx_ * (Vec3(node) + shift_); }
-  double x(std::int64_t column) const { return base_.x + dx_ * (static_cast<double>(column) + shift_.x); }
   // Where along an axis a coordinate lies, in nodes.
   double node_at(int axis, double coordinate) const { return (coordinate - base_[axis]) / dx_ - shift_[axis]; }
 
@@ -50,6 +49,16 @@ class Lattice {
       }
     }
     return false;
+  }
+  // Calls visit(point) for every particle, x fastest.
+  template <class Visit>
+  void for_each(Visit visit) const {
+    any_row(bounds_, [&](std::int64_t y, std::int64_t z, const std::vector<Run>& held) {
+      for (const Run& run : held) {
+        for (std::int64_t x = run.begin; x < run.end; ++x) visit(point({x, y, z}));
+      }
+      return false;
+    });
   }
 
  private:

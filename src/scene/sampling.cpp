@@ -30,24 +30,23 @@ std::vector<Vec3> sample_volume(const Shape& shape, int dimension, double dx) {
   const Lattice lattice(shape, dimension, dx);
   std::vector<Vec3> points;
   points.reserve(static_cast<std::size_t>(lattice.count()));
-  lattice.any_row(lattice.bounds(), [&](std::int64_t y, std::int64_t z, const std::vector<Run>& runs) {
-    for (const Run& run : runs) {
-      for (std::int64_t x = run.begin; x < run.end; ++x) points.push_back(lattice.point({x, y, z}));
-    }
-    return false;
-  });
+  lattice.for_each([&](const Vec3& point) { points.push_back(point); });
   return points;
 }
 
 Sampling sample(const Scene& scene) {
   Sampling sampling;
   const double dx = scene.particle_spacing;
+  std::int64_t count = 0;
+  for (const Volume& volume : scene.fluid.volumes) count += Lattice(volume.shape, scene.dimension, dx).count();
+  sampling.fluid_positions.reserve(static_cast<std::size_t>(count));
+  sampling.fluid_velocities.reserve(static_cast<std::size_t>(count));
   for (const Volume& volume : scene.fluid.volumes) {
     const Vec3 center = turning_center(volume.shape, scene.dimension, dx);
-    for (const Vec3& point : sample_volume(volume.shape, scene.dimension, dx)) {
+    Lattice(volume.shape, scene.dimension, dx).for_each([&](const Vec3& point) {
       sampling.fluid_positions.push_back(point);
       sampling.fluid_velocities.push_back(volume.velocity + glm::cross(volume.angular_velocity, point - center));
-    }
+    });
   }
   PointGrid kept(wall_merge_distance * dx);
   for (const Wall& wall : scene.walls) {
