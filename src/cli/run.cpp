@@ -51,6 +51,7 @@ ExitCode run_scene(const RunCommand& options) {
   run_options.message = [&report](const std::string& text) { report.say(text); };
 
   const Scene scene = read_scene(options.scene, overrides(options.set));
+  run_options.checked = true;
   const RunResult result = run(scene, run_options);
   report.end(result);
   fmt::print("{}\n", result.folder.string());

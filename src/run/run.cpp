@@ -278,7 +278,7 @@ Manifest Session::manifest() const {
 }  // namespace
 
 RunResult run(const Scene& scene, const RunOptions& options) {
-  refuse_wrong_scene(scene);
+  if (!options.checked) refuse_wrong_scene(scene);
   RunFolder folder(options.folder.empty() ? std::filesystem::path("out") / scene.name : options.folder, scene);
   std::string text = effective_scene_text(scene);
   const Provenance provenance{sha256(text), WEIR_VERSION};

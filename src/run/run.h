@@ -30,6 +30,7 @@ struct RunOptions {
   std::optional<InstructionSet> instruction_set;  // none: default_instruction_set()
   bool trace = false;                             // write where the time went
   bool force = false;                             // overwrite another run
+  bool checked = false;                           // the scene comes from read_scene(), which has judged it
   double max_wall_time = 0;                       // s; 0: none
   DeviceChoice device;
   std::function<void(const Progress&)> progress;    // about ten times a second, on the solver's thread

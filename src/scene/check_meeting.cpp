@@ -1,12 +1,14 @@
-// Volumes and walls against each other, judged by the particles that they make.
+// Volumes and walls against each other, judged by the particles that they would make; of fluid, none is made.
 #include <algorithm>
 #include <optional>
 
 #include "scene/checker.h"
 #include "scene/geometry.h"
+#include "scene/lattice.h"
+#include "scene/meeting.h"
 #include "scene/paths.h"
-#include "scene/point_grid.h"
 #include "scene/sampling.h"
+#include "scene/wall_extent.h"
 
 namespace weir {
 
@@ -15,18 +17,6 @@ namespace {
 // Sizes that are no multiple of the spacing are rounded, so that shapes that only touch may come to within half of it.
 constexpr double too_near = 0.49;  // dx
 constexpr double slack = 1e-6;     // dx, for rounding
-
-bool apart(const Bounds& a, const Bounds& b, int dimension, double gap) {
-  for (int axis = 0; axis < dimension; ++axis) {
-    if (a.max[axis] <= b.min[axis] + gap || b.max[axis] <= a.min[axis] + gap) return true;
-  }
-  return false;
-}
-
-bool in_hole(const Wall& wall, const Vec3& point, int dimension) {
-  return std::any_of(wall.holes.begin(), wall.holes.end(),
-                     [&](const Shape& hole) { return inside(hole, point, dimension); });
-}
 
 // A closed outline's inside, and whether that is where the solid is.
 struct Outline {
@@ -55,135 +45,120 @@ std::optional<Outline> outline(const Wall& wall) {
 class Meeting {
  public:
   explicit Meeting(Checker& checker)
-      : checker_(checker),
-        scene_(checker.scene),
-        dimension_(scene_.dimension),
-        dx_(scene_.particle_spacing),
-        fluid_(dx_),
-        walls_(dx_) {}
+      : checker_(checker), scene_(checker.scene), dimension_(scene_.dimension), dx_(scene_.particle_spacing) {}
 
   void judge() {
     for (std::size_t i = 0; i < scene_.fluid.volumes.size(); ++i) {
-      const bool usable = checker_.usable(volume_path(i));
-      samples_.push_back(usable ? sample_volume(scene_.fluid.volumes[i].shape, dimension_, dx_) : std::vector<Vec3>());
+      if (!checker_.usable(volume_path(i))) continue;
+      Lattice lattice(scene_.fluid.volumes[i].shape, dimension_, dx_);
+      if (!lattice.empty()) fluid_.push_back({i, std::move(lattice), {}, false});
     }
-    for (std::size_t i = 0; i < scene_.walls.size(); ++i) add_wall(i);
-    for (std::size_t i = 0; i < samples_.size(); ++i) {
-      if (samples_[i].empty()) continue;
-      judge_overlap(i);
-      judge_walls(i);
-      judge_outside(i);
+    for (std::size_t i = 0; i < scene_.walls.size(); ++i) judge_wall(i);
+    for (Fluid& fluid : fluid_) {
+      judge_overlap(fluid);
+      for (const std::size_t wall : fluid.walls) {
+        checker_.add(volume_path(scene_, fluid.index), fmt::format("reaches into {}", wall_path(scene_, wall)));
+      }
+      judge_outside(fluid);
     }
   }
 
  private:
-  void add_wall(std::size_t index) {
-    const Wall& wall = scene_.walls[index];
+  // A volume that has particles.
+  struct Fluid {
+    std::size_t index;
+    Lattice lattice;
+    std::vector<std::size_t> walls;  // that it reaches into, ascending
+    bool distinct = false;           // overlaps no volume before it
+  };
+
+  void judge_wall(std::size_t index) {
     if (!checker_.usable(wall_path(index))) {
       all_walls_ = false;
       return;
     }
-    for (const Vec3& point : sample_wall(wall, dimension_, dx_, wall_layers(scene_, wall))) {
-      walls_.add(point, static_cast<std::int32_t>(index));
-    }
+    const Wall& wall = scene_.walls[index];
     const std::optional<Outline> closed = outline(wall);
-    if (!closed) return;
-    if (closed->solid_inside) {
-      solids_.push_back({index, closed->shape});
-    } else if (wall.holes.empty()) {
-      containers_.push_back({index, closed->shape});
+    if (closed && !closed->solid_inside && wall.holes.empty()) containers_.push_back(widened(closed->shape));
+
+    const std::vector<Fluid*> doubtful = fluid_near(wall);
+    const std::vector<Vec3> points = particles_near(wall, doubtful);
+    for (Fluid& fluid : fluid_) {
+      const bool near = std::binary_search(doubtful.begin(), doubtful.end(), &fluid) &&
+                        any_near(fluid.lattice, points, too_near * dx_);
+      const bool within = closed && closed->solid_inside && any_inside(fluid.lattice, closed->shape, wall.holes);
+      if (near || within) fluid.walls.push_back(index);
     }
   }
 
-  void judge_overlap(std::size_t index) {
-    const Shape& shape = scene_.fluid.volumes[index].shape;
-    const Bounds box = shape_bounds(shape, dimension_);
+  // Volumes of which the shapes alone do not tell that they keep their distance from the wall's particles; ascending.
+  std::vector<Fluid*> fluid_near(const Wall& wall) {
+    const Bounds box = wall_bounds(wall, dimension_, dx_, wall_layers(scene_, wall));
+    std::vector<Fluid*> result;
+    for (Fluid& fluid : fluid_) {
+      const Lattice& lattice = fluid.lattice;
+      if (apart(box, lattice.bounds(), dimension_, -too_near * dx_)) continue;
+      if (!surely_in_front(wall, lattice.shape(), lattice.bounds(), dimension_, dx_)) result.push_back(&fluid);
+    }
+    return result;
+  }
+
+  // Those particles of the wall that these volumes could be near to, ascending in y.
+  std::vector<Vec3> particles_near(const Wall& wall, const std::vector<Fluid*>& fluids) const {
+    if (fluids.empty()) return {};
+    Bounds region = empty_bounds;
+    for (const Fluid* fluid : fluids) region = around(region, fluid->lattice.bounds());
+    std::vector<Vec3> points;
+    visit_wall(wall, dimension_, dx_, wall_layers(scene_, wall), grown(region, dx_),
+               [&](const Vec3& point) { points.push_back(point); });
+    std::sort(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) { return a.y < b.y; });
+    return points;
+  }
+
+  void judge_overlap(Fluid& fluid) {
     std::vector<std::size_t> met;
-    for (std::size_t other = 0; other < index; ++other) {
-      const Shape& other_shape = scene_.fluid.volumes[other].shape;
-      if (samples_[other].empty() || apart(box, shape_bounds(other_shape, dimension_), dimension_, slack * dx_))
-        continue;
-      const bool boxes = std::holds_alternative<Box>(shape) && std::holds_alternative<Box>(other_shape);
-      if (boxes || any_inside(samples_[index], other_shape) || any_inside(samples_[other], shape)) met.push_back(other);
-    }
-    if (samples_.size() == 1) return;
-    for (const Vec3& point : samples_[index]) {
-      fluid_.any_near(point, too_near * dx_, [&](std::int32_t label, const Vec3&) {
-        if (std::find(met.begin(), met.end(), static_cast<std::size_t>(label)) == met.end()) {
-          met.push_back(static_cast<std::size_t>(label));
-        }
-        return false;
-      });
-    }
-    if (met.empty()) {
-      for (const Vec3& point : samples_[index]) fluid_.add(point, static_cast<std::int32_t>(index));
-      return;
-    }
-    // Not in the grid, which so holds few points a cell, and every look into it stays short, however many volumes
-    // somebody puts in one place.
-    std::sort(met.begin(), met.end());
-    const std::string more = met.size() > 1 ? fmt::format(" and {} more", met.size() - 1) : "";
-    checker_.add(volume_path(scene_, index), fmt::format("overlaps {}{}", volume_path(scene_, met.front()), more));
-  }
-
-  bool any_inside(const std::vector<Vec3>& points, const Shape& shape) const {
-    return std::any_of(points.begin(), points.end(),
-                       [&](const Vec3& point) { return inside(shape, point, dimension_); });
-  }
-
-  void judge_walls(std::size_t index) {
-    std::vector<std::size_t> met;
-    const auto meet = [&](std::size_t wall) {
-      if (std::find(met.begin(), met.end(), wall) == met.end()) met.push_back(wall);
-    };
-    for (const Vec3& point : samples_[index]) {
-      walls_.any_near(point, too_near * dx_, [&](std::int32_t label, const Vec3&) {
-        meet(static_cast<std::size_t>(label));
-        return false;
-      });
-      for (const auto& [wall, shape] : solids_) {
-        if (inside(shape, point, dimension_) && !in_hole(scene_.walls[wall], point, dimension_)) meet(wall);
+    for (const Fluid& other : fluid_) {
+      if (&other == &fluid) break;
+      if (overlap(fluid.lattice, other.lattice) ||
+          (other.distinct && any_near(fluid.lattice, other.lattice, too_near * dx_))) {
+        met.push_back(other.index);
       }
     }
-    std::sort(met.begin(), met.end());
-    for (const std::size_t wall : met) {
-      checker_.add(volume_path(scene_, index), fmt::format("reaches into {}", wall_path(scene_, wall)));
-    }
+    fluid.distinct = met.empty();
+    if (fluid.distinct) return;
+    const std::string more = met.size() > 1 ? fmt::format(" and {} more", met.size() - 1) : "";
+    checker_.add(volume_path(scene_, fluid.index),
+                 fmt::format("overlaps {}{}", volume_path(scene_, met.front()), more));
   }
 
-  void judge_outside(std::size_t index) {
+  bool overlap(const Lattice& a, const Lattice& b) const {
+    if (apart(shape_bounds(a.shape(), dimension_), shape_bounds(b.shape(), dimension_), dimension_, slack * dx_))
+      return false;
+    const bool boxes = std::holds_alternative<Box>(a.shape()) && std::holds_alternative<Box>(b.shape());
+    return boxes || any_inside(a, b.shape()) || any_inside(b, a.shape());
+  }
+
+  void judge_outside(const Fluid& fluid) {
     if (containers_.empty() || !all_walls_) return;
-    std::size_t outside = 0;
-    Vec3 first(0);
-    for (const Vec3& point : samples_[index]) {
-      const bool held = std::any_of(containers_.begin(), containers_.end(),
-                                    [&](const auto& container) { return holds(container.second, point); });
-      if (held) continue;
-      if (outside++ == 0) first = point;
-    }
-    if (outside == 0) return;
-    checker_.add(volume_path(scene_, index),
-                 fmt::format("lies outside the closed walls: {} of {} particles, such as at {}", outside,
-                             samples_[index].size(), point_text(first, dimension_)));
+    const Outsiders outside = outside_all(fluid.lattice, containers_);
+    if (outside.count == 0) return;
+    checker_.add(volume_path(scene_, fluid.index),
+                 fmt::format("lies outside the closed walls: {} of {} particles, such as at {}", outside.count,
+                             fluid.lattice.count(), point_text(outside.first, dimension_)));
   }
 
   // The last particle of a rounded box may lie on the face itself.
-  bool holds(const Shape& shape, const Vec3& point) const {
-    if (const auto* box = std::get_if<Box>(&shape)) {
-      return inside(Box{box->min - slack * dx_, box->max + slack * dx_}, point, dimension_);
-    }
-    return inside(shape, point, dimension_);
+  Shape widened(const Shape& shape) const {
+    const auto* box = std::get_if<Box>(&shape);
+    return box == nullptr ? shape : Box{box->min - slack * dx_, box->max + slack * dx_};
   }
 
   Checker& checker_;
   const Scene& scene_;
   int dimension_;
   double dx_;
-  std::vector<std::vector<Vec3>> samples_;
-  PointGrid fluid_;
-  PointGrid walls_;
-  std::vector<std::pair<std::size_t, Shape>> solids_;
-  std::vector<std::pair<std::size_t, Shape>> containers_;
+  std::vector<Fluid> fluid_;
+  std::vector<Shape> containers_;
   bool all_walls_ = true;
 };
 

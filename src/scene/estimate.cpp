@@ -31,10 +31,10 @@ double time_step(const Scene& scene) {
 }  // namespace
 
 Estimate estimate(const Scene& scene) {
-  const Sampling sampling = sample(scene);
+  const ParticleCount count = count_particles(scene);
   Estimate result;
-  result.fluid_particles = static_cast<std::int64_t>(sampling.fluid_positions.size());
-  result.wall_particles = static_cast<std::int64_t>(sampling.wall_positions.size());
+  result.fluid_particles = count.fluid;
+  result.wall_particles = count.wall;
   result.memory = bytes_per_particle(scene) * static_cast<double>(result.fluid_particles + result.wall_particles);
   result.dt = time_step(scene);
   // Every frame time is landed on, so that each frame takes a whole number of steps.

@@ -64,6 +64,16 @@ bool inside_polygon(const std::vector<Vec3>& polygon, const Vec3& point) {
   return odd;
 }
 
+void crossings(const std::vector<Vec3>& polygon, double y, std::vector<double>& result) {
+  result.clear();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3& a = polygon[i];
+    const Vec3& b = polygon[(i + 1) % polygon.size()];
+    if ((a.y > y) != (b.y > y)) result.push_back(a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)));
+  }
+  std::sort(result.begin(), result.end());
+}
+
 double signed_area(const std::vector<Vec3>& polygon) {
   if (polygon.empty()) return 0;
   double twice = 0;  // about the first corner: a polygon far from the origin loses no digits
@@ -122,5 +132,20 @@ double measure(const Shape& shape, int dimension) {
 Bounds shape_bounds(const Shape& shape, int dimension) {
   return std::visit([&](const auto& each) { return bounds_of(each, dimension); }, shape);
 }
+
+bool apart(const Bounds& a, const Bounds& b, int dimension, double gap) {
+  for (int axis = 0; axis < dimension; ++axis) {
+    if (a.max[axis] <= b.min[axis] + gap || b.max[axis] <= a.min[axis] + gap) return true;
+  }
+  return false;
+}
+
+bool contains(const Bounds& box, const Vec3& point) {
+  return glm::all(glm::lessThanEqual(box.min, point)) && glm::all(glm::lessThanEqual(point, box.max));
+}
+
+Bounds grown(const Bounds& box, double margin) { return {box.min - margin, box.max + margin}; }
+
+Bounds around(const Bounds& a, const Bounds& b) { return {glm::min(a.min, b.min), glm::max(a.max, b.max)}; }
 
 }  // namespace weir

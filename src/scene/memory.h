@@ -5,8 +5,8 @@
 
 namespace weir {
 
-// Bytes for each particle while a run lasts: state, sorted copies, the neighbour list of a full support (about 30
-// neighbours in 2D, 120 in 3D at h = dx) and one frame in each of the queues to the pictures.
+// Bytes for each particle while a run lasts, a little more than it will be: what the solver keeps of it, its lists of
+// pairs, and its part of the frames on their way to the pictures.
 double bytes_per_particle(const Scene& scene);
 
 // From areas and volumes alone; infinite or not a number for absurd sizes.

@@ -1,0 +1,84 @@
+// The particles of one volume by their numbers along the axes. None is stored: of ten million, a row is two numbers.
+#pragma once
+
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace weir {
+
+// Columns [begin, end) of a row.
+struct Run {
+  std::int64_t begin;
+  std::int64_t end;
+};
+
+// Nodes dx apart along every axis, of which the shape holds some. Rows run along x, numbered along y and z.
+class Lattice {
+ public:
+  // Keeps a pointer to the shape.
+  Lattice(const Shape& shape, int dimension, double dx);
+
+  double dx() const { return dx_; }
+  int dimension() const { return dimension_; }
+  const Shape& shape() const { return *shape_; }
+  const glm::i64vec3& size() const { return size_; }  // nodes in the box around all particles; some may be empty
+
+  Vec3 point(const glm::i64vec3& node) const { return base_ + dx_ * (Vec3(node) + shift_); }
+  // Where along an axis a coordinate lies, in nodes.
+  double node_at(int axis, double coordinate) const { return (coordinate - base_[axis]) / dx_ - shift_[axis]; }
+
+  // What the row at (any, y, z) holds, from left to right.
+  void runs(std::int64_t y, std::int64_t z, std::vector<Run>& result) const;
+  std::int64_t count() const;
+  bool empty() const;
+  // A box around the particles; exact for boxes, that of the shape for others.
+  const Bounds& bounds() const { return bounds_; }
+
+  // Calls visit(y, z, runs) for rows that hold anything, until it returns true; says whether it did. Only rows that may
+  // lie in `within`.
+  template <class Visit>
+  bool any_row(const Bounds& within, Visit visit) const {
+    const Run rows = clipped(1, within);
+    const Run slices = clipped(2, within);
+    std::vector<Run> held;
+    for (std::int64_t z = slices.begin; z < slices.end; ++z) {
+      for (std::int64_t y = rows.begin; y < rows.end; ++y) {
+        runs(y, z, held);
+        if (!held.empty() && visit(y, z, held)) return true;
+      }
+    }
+    return false;
+  }
+  // Calls visit(point) for every particle, x fastest.
+  template <class Visit>
+  void for_each(Visit visit) const {
+    any_row(bounds_, [&](std::int64_t y, std::int64_t z, const std::vector<Run>& held) {
+      for (const Run& run : held) {
+        for (std::int64_t x = run.begin; x < run.end; ++x) visit(point({x, y, z}));
+      }
+      return false;
+    });
+  }
+
+ private:
+  Run clipped(int axis, const Bounds& within) const;
+  void lay(const Box& box);
+  void lay(const Ball& ball);
+  void lay(const Polygon& polygon);
+  void lay_ball(const Ball& ball, std::int64_t parity);
+  void runs_of(const Box& box, std::int64_t y, std::int64_t z, std::vector<Run>& result) const;
+  void runs_of(const Ball& ball, std::int64_t y, std::int64_t z, std::vector<Run>& result) const;
+  void runs_of(const Polygon& polygon, std::int64_t y, std::int64_t z, std::vector<Run>& result) const;
+
+  const Shape* shape_;
+  int dimension_;
+  double dx_;
+  Vec3 base_{0};
+  Vec3 shift_{0};
+  glm::i64vec3 size_{1};
+  std::int64_t first_offset_ = 0;  // of a ball: node 0 from its centre, in half spacings
+  Bounds bounds_;
+};
+
+}  // namespace weir
