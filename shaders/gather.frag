@@ -5,8 +5,8 @@
 // BALLS: lit balls in perspective instead of discs. DOTS: discs too small to be seen round, spread over as few pixels as
 // keep area and centre. OVERLAY: a layer on top. YUV: out comes Y'CbCr of a movie, otherwise RGBA.
 //
-// Pixels do not depend on the order of the discs in a bin: coverage is summed in whole 1/1024, which floating point adds
-// exactly, and what decides overlaps are minima.
+// Pixels do not depend on the order of the discs in a bin: what decides overlaps are minima, and dots are summed in whole
+// 1/1024, which floating point adds exactly.
 
 uniform usamplerBuffer bins;      // for each the first disc and the one past the last; past before first: nothing to do
 uniform usamplerBuffer discs;     // see bins.h, Entry
@@ -114,8 +114,10 @@ void main() {
 #ifdef DOTS
   vec3 sum[count];
 #else
-  // Of the two nearest that touch the pixel: for BALLS, the depth of the surface, m; else the squared distance, whose
-  // lowest 8 bits are the disc's place in the colour map, so that among equals the colour decides.
+  // For BALLS, of the two nearest that touch the pixel, the depth of the surface, m, and the colour. Else of the two discs
+  // with the nearest centres, which cover all of a pixel that discs cover: the squared distance, whose lowest 8 bits are
+  // the disc's place in the colour map, so that among equals the colour decides; and which disc it is. Only those two are
+  // then looked at closely.
   float nearest[count];
   float second[count];
   uint nearest_color[count];
@@ -189,17 +191,16 @@ void main() {
       }
     }
 #else
+    float squared_x[columns];
+    for (int c = 0; c < columns; ++c) squared_x[c] = (x[c] - center_x) * (x[c] - center_x);
+    uint place = color >> 24;
     for (int r = 0; r < 2; ++r) {
-      float off_y = abs(y[r] - center_y);
+      float squared_y = (y[r] - center_y) * (y[r] - center_y);
       for (int c = 0; c < columns; ++c) {
         int k = columns * r + c;
-        vec2 off = vec2(abs(x[c] - center_x), off_y);
-        float share = coverage(off, radius);
-        float key = uintBitsToFloat((floatBitsToUint(dot(off, off)) & ~255u) | color >> 24);
-        key = share > 0.0 ? key : far;
-        covered[k] += share;
-        second_color[k] = key < nearest[k] ? nearest_color[k] : key < second[k] ? color : second_color[k];
-        nearest_color[k] = key < nearest[k] ? color : nearest_color[k];
+        float key = uintBitsToFloat((floatBitsToUint(squared_x[c] + squared_y) & ~255u) | place);
+        second_color[k] = key < nearest[k] ? nearest_color[k] : key < second[k] ? n : second_color[k];
+        nearest_color[k] = key < nearest[k] ? n : nearest_color[k];
         second[k] = min(second[k], max(nearest[k], key));
         nearest[k] = min(nearest[k], key);
       }
@@ -220,9 +221,16 @@ void main() {
     float front = min(nearest_share[k] / max(min(covered[k], full), 1.0), 1.0);
     vec3 rgb = mix(second_light[k] * unpack_rgb(second_color[k]), nearest_light[k] * unpack_rgb(nearest_color[k]), front);
 #else
+    uvec4 one = texelFetch(discs, int(nearest_color[k]));
+    uvec4 two = texelFetch(discs, int(second_color[k]));
+    vec2 at = vec2(x[k % columns], y[k / columns]);
+    float by_one = nearest[k] < far ? coverage(abs(at - uintBitsToFloat(one.xy)), radius) : 0.0;
+    float by_two = second[k] < far ? coverage(abs(at - uintBitsToFloat(two.xy)), radius) : 0.0;
+    alpha = min((by_one + by_two) / full, 1.0);
     // How much of the pixel lies on the nearest disc's side of the line between the two, were they tangent.
-    float side = clamp(0.5 + (second[k] - nearest[k]) / (4.0 * radius), 0.5, 1.0);
-    vec3 rgb = mix(unpack_rgb(second_color[k]), unpack_rgb(nearest_color[k]), side);
+    float apart = by_two > 0.0 ? second[k] - nearest[k] : far;
+    float side = clamp(0.5 + apart / (4.0 * radius), 0.5, 1.0);
+    vec3 rgb = mix(unpack_rgb(two.z), unpack_rgb(one.z), side);
 #endif
     pixels[k] = mix(pixels[k], vec4(rgb, 1.0), opacity * alpha);
   }

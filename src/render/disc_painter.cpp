@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "render/assets.h"
+#include "render/unroll.h"
 
 namespace weir {
 
@@ -153,7 +154,10 @@ const GlProgram& DiscPainter::program(bool movie, bool overlay) {
   if (dots_) defines += "#define DOTS\n";
   const auto found = programs_.find(defines);
   if (found != programs_.end()) return found->second;
-  GlProgram made = build_program(std::string(assets::gather_vert()), std::string(assets::gather_frag()), defines);
+  const int columns = movie ? 5 : 4;  // as in gather.frag
+  const std::string fragment =
+      unrolled(std::string(assets::gather_frag()), {{"columns", columns}, {"count", 2 * columns}});
+  GlProgram made = build_program(std::string(assets::gather_vert()), fragment, defines);
   int unit = 0;
   for (const char* name : {"bins", "discs", "squares", "under_even", "under_odd", "over_even", "over_odd"})
     set(made.id(), name, unit++);
