@@ -30,7 +30,7 @@ class RowCut {
     shapes_.clear();
     for (const Shape& shape : shapes) {
       shapes_.push_back(&shape);
-      std::visit([this](const auto& each) { add(each); }, shape);
+      std::visit([this](const auto& each) { this->add(each); }, shape);
     }
   }
 
