@@ -2,21 +2,24 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
-#include <regex>
 
 #include "core/error.h"
 
 namespace weir {
 
 double parse_wall_time(const std::string& text) {
-  static const std::regex pattern("([0-9]{1,9}(?:\\.[0-9]{1,9})?)([smh]?)");
-  std::smatch parts;
-  if (!std::regex_match(text, parts, pattern) || std::stod(parts[1]) <= 0) {
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number, std::chars_format::fixed);
+  const std::string unit(error == std::errc() ? rest : end, end);
+  const double seconds = unit.empty() || unit == "s" ? 1 : unit == "m" ? 60 : unit == "h" ? 3600 : 0;
+  // 0 for what is no number or unit; nor are inf and nan.
+  if (error != std::errc() || !(number * seconds > 0 && number * seconds < 1e13)) {
     throw UsageError(fmt::format("--max-wall-time {}: not a positive time such as 90, 90s, 15m or 2h", text));
   }
-  const double unit = parts[2] == "h" ? 3600 : parts[2] == "m" ? 60 : 1;
-  return std::stod(parts[1]) * unit;
+  return number * seconds;
 }
 
 std::string wall_time_text(double seconds) {

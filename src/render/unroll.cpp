@@ -1,9 +1,10 @@
 #include "render/unroll.h"
 
+#include <algorithm>
 #include <cstddef>
-#include <iterator>
-#include <regex>
+#include <optional>
 #include <stdexcept>
+#include <string_view>
 
 namespace weir {
 
@@ -24,6 +25,28 @@ std::size_t end_of_body(const std::string& source, std::size_t begin) {
   throw std::invalid_argument("a loop's block does not end");
 }
 
+bool in_a_name(char c) {
+  return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+// The name or number that begins at `begin`.
+std::string word_at(const std::string& source, std::size_t begin) {
+  std::size_t end = begin;
+  while (end < source.size() && in_a_name(source[end])) ++end;
+  return source.substr(begin, end - begin);
+}
+
+std::string with_number(const std::string& body, const std::string& name, int number) {
+  std::string text;
+  for (std::size_t at = 0; at < body.size();) {
+    std::string word = word_at(body, at);
+    if (word.empty()) word = body[at];
+    at += word.size();
+    text += word == name ? std::to_string(number) : word;
+  }
+  return text;
+}
+
 int value_of(const std::string& limit, const std::map<std::string, int>& constants) {
   const auto known = constants.find(limit);
   if (known != constants.end()) return known->second;
@@ -33,25 +56,45 @@ int value_of(const std::string& limit, const std::map<std::string, int>& constan
   return std::stoi(limit);
 }
 
+struct Loop {
+  std::size_t begin = 0;
+  std::size_t body = 0;
+  std::string name;
+  std::string limit;
+};
+
+constexpr std::string_view opening = "for (int ";
+
+// The loop that begins at `begin`, if its head is of the kind that can be written out.
+std::optional<Loop> loop_at(const std::string& source, std::size_t begin) {
+  Loop loop;
+  loop.begin = begin;
+  loop.name = word_at(source, begin + opening.size());
+  const std::string start = std::string(opening) + loop.name + " = 0; " + loop.name + " < ";
+  if (source.compare(begin, start.size(), start) != 0) return std::nullopt;
+  loop.limit = word_at(source, begin + start.size());
+  const std::string head = start + loop.limit + "; ++" + loop.name + ")";
+  if (source.compare(begin, head.size(), head) != 0) return std::nullopt;
+  loop.body = std::min(source.find_first_not_of(" \n", begin + head.size()), source.size());
+  return loop;
+}
+
 }  // namespace
 
 std::string unrolled(std::string source, const std::map<std::string, int>& constants) {
-  static const std::regex loop(R"(for \(int (\w+) = 0; \1 < (\w+); \+\+\1\)\s*)");
-  while (true) {
-    // The last one first: it holds no other.
-    std::smatch found;
-    for (std::sregex_iterator each(source.begin(), source.end(), loop), end; each != end; ++each) found = *each;
-    if (found.empty()) return source;
-    const auto begin = static_cast<std::size_t>(found.position());
-    const std::size_t body_begin = begin + static_cast<std::size_t>(found.length());
-    const std::size_t body_end = end_of_body(source, body_begin);
-    const std::string body = source.substr(body_begin, body_end - body_begin);
-    const std::regex name("\\b" + found.str(1) + "\\b");
-    const int count = value_of(found.str(2), constants);
+  // From the last to the first: so each is met after those that it holds.
+  for (std::size_t at = source.rfind(opening); at != std::string::npos;
+       at = at == 0 ? std::string::npos : source.rfind(opening, at - 1)) {
+    const std::optional<Loop> loop = loop_at(source, at);
+    if (!loop) continue;
+    const std::size_t end = end_of_body(source, loop->body);
+    const std::string body = source.substr(loop->body, end - loop->body);
+    const int count = value_of(loop->limit, constants);
     std::string written;
-    for (int k = 0; k < count; ++k) written += "{" + std::regex_replace(body, name, std::to_string(k)) + "}\n";
-    source.replace(begin, body_end - begin, written);
+    for (int k = 0; k < count; ++k) written += "{" + with_number(body, loop->name, k) + "}\n";
+    source.replace(at, end - at, written);
   }
+  return source;
 }
 
 }  // namespace weir

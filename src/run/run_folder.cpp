@@ -5,9 +5,10 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <regex>
+#include <string_view>
 #include <system_error>
 
 #include "core/error.h"
@@ -29,10 +30,19 @@ bool stands(const fs::path& file) {
   return fs::exists(fs::symlink_status(file, unknown));
 }
 
-void append_matching(const fs::path& folder, const std::regex& name, std::vector<fs::path>& files) {
+// Whether a name is `prefix`, five digits or more, and ".png".
+bool is_numbered_png(std::string_view name, std::string_view prefix) {
+  constexpr std::string_view suffix = ".png";
+  if (!name.starts_with(prefix) || !name.ends_with(suffix)) return false;
+  name.remove_prefix(prefix.size());
+  name.remove_suffix(std::min(suffix.size(), name.size()));
+  return name.size() >= 5 && name.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+void append_numbered_pngs(const fs::path& folder, std::string_view prefix, std::vector<fs::path>& files) {
   std::error_code missing;
   for (fs::directory_iterator entry(folder, missing), end; !missing && entry != end; entry.increment(missing)) {
-    if (std::regex_match(entry->path().filename().string(), name)) files.push_back(entry->path());
+    if (is_numbered_png(entry->path().filename().string(), prefix)) files.push_back(entry->path());
   }
 }
 
@@ -100,8 +110,8 @@ std::vector<fs::path> RunFolder::files_of_runs() const {
   append_existing(trace_file());
   append_existing(movie_file());
   append_existing(folder_ / (scene_.name + ".part.mp4"));
-  append_matching(folder_ / "frames", std::regex("frame_[0-9]{5,}\\.png"), files);
-  append_matching(folder_ / "stills", std::regex("still_[0-9]{5,}\\.png"), files);
+  append_numbered_pngs(folder_ / "frames", "frame_", files);
+  append_numbered_pngs(folder_ / "stills", "still_", files);
   return files;
 }
 
