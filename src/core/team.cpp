@@ -43,7 +43,7 @@ Team::~Team() {
 }
 
 void Team::run(std::size_t count, Call call, const void* object) {
-  const std::size_t wanted = std::min(helpers_.size(), count / turns_per_helper);
+  const std::size_t wanted = std::min({helpers_.size(), most_helpers_, count / turns_per_helper});
   if (wanted == 0) {
     for (std::size_t k = 0; k < count; ++k) call(object, k);
     return;
@@ -51,6 +51,7 @@ void Team::run(std::size_t count, Call call, const void* object) {
   call_ = call;
   object_ = object;
   count_ = count;
+  wanted_ = wanted;
   next_ = 0;
   open_ = true;
   ++loops_;
@@ -76,8 +77,8 @@ void Team::help() {
     loops_.wait(seen);
     seen = loops_;
     if (ending_) return;
-    ++inside_;
-    if (open_) take_turns();
+    const int place = ++inside_;
+    if (open_ && static_cast<std::size_t>(place) <= wanted_) take_turns();
     --inside_;
     inside_.notify_one();
   }

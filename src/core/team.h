@@ -5,6 +5,7 @@
 // before a thread has woken does not wait for it.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <thread>
@@ -23,6 +24,8 @@ class Team {
   Team& operator=(const Team&) = delete;
 
   int size() const { return static_cast<int>(helpers_.size()) + 1; }
+  // From the next loop on, at most so many threads work, the caller among them; the others sleep.
+  void use_at_most(int threads) { most_helpers_ = static_cast<std::size_t>(std::max(threads - 1, 0)); }
 
   // body(k) for each k of 0 .. count, once, in any order and on any thread; returns when all are done. The body must not
   // throw, and must not use this team.
@@ -42,12 +45,14 @@ class Team {
   Call call_ = nullptr;
   const void* object_ = nullptr;
   std::size_t count_ = 0;
+  std::size_t wanted_ = 0;  // helpers
   std::atomic<std::size_t> next_{0};
 
   std::atomic<bool> open_{false};
   std::atomic<int> inside_{0};  // helpers that are, or may be, at work on it
   std::atomic<int> loops_{0};   // counts up to wake helpers; int is what the kernel can wait on itself
   std::atomic<bool> ending_{false};
+  std::size_t most_helpers_ = static_cast<std::size_t>(-1);
   std::vector<std::thread> helpers_;
 };
 

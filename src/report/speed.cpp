@@ -3,20 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <memory>
 
 #include "core/team.h"
 #include "report/scenes.h"
 #include "report/write_text.h"
-#include "sph/simulation.h"
 
 namespace weir {
 
 namespace {
 
-double solving(const Simulation& simulation) {
-  const StageTimes times = simulation.stage_times();
-  return times.neighbours + times.solve;
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 std::vector<int> thread_counts(int requested) {
@@ -34,6 +34,9 @@ double median(std::vector<double> values) {
 
 // Enough time for the front to run 2 heights: T = 2 sqrt(g / H) t [Martin and Moyce 1952, n^2 = 1].
 constexpr double developed = 0.6;  // s
+
+// Of what is compared, in turn; medians are given.
+constexpr int repeats = 5;
 
 }  // namespace
 
@@ -63,23 +66,28 @@ Scene speed_scene(int dimension, std::int64_t particles) {
   return scene;
 }
 
-SpeedSample measure_speed(const Scene& scene, int threads, double seconds, double from, bool log) {
-  const std::unique_ptr<Simulation> simulation = make_simulation(scene, threads);
-  constexpr int warm_up = 20;
-  while (simulation->steps() < warm_up || simulation->time() < from) simulation->step();
-  const double neighbours = simulation->stage_times().neighbours;
-  const double before = solving(*simulation);
-  const std::int64_t first = simulation->steps();
-  do {
-    simulation->step();
-    if (log) simulation->diagnostics();
-  } while (solving(*simulation) - before < seconds && !simulation->finished());
+std::unique_ptr<Simulation> flow_at(const Scene& scene, int threads, double time) {
+  std::unique_ptr<Simulation> simulation = make_simulation(scene, threads);
+  constexpr int warm_up = 10;
+  while (simulation->steps() < warm_up || simulation->time() < time) simulation->step();
+  return simulation;
+}
+
+SpeedSample measure_speed(Simulation& simulation, double seconds, bool log) {
+  // As many as a list of neighbours lives, or the share that belongs to it would be luck.
+  constexpr int least_steps = 10;
+  const double neighbours = simulation.stage_times().neighbours;
+  const auto start = std::chrono::steady_clock::now();
   SpeedSample sample;
-  sample.particles = simulation->fluid_particles();
-  sample.steps = simulation->steps() - first;
-  const double taken = solving(*simulation) - before;
+  sample.particles = simulation.fluid_particles();
+  do {
+    simulation.step();
+    if (log) simulation.diagnostics();
+    ++sample.steps;
+  } while ((sample.steps < least_steps || seconds_since(start) < seconds) && !simulation.finished());
+  const double taken = seconds_since(start);
   sample.mps = 1e-6 * static_cast<double>(sample.particles) * static_cast<double>(sample.steps) / taken;
-  sample.neighbours = (simulation->stage_times().neighbours - neighbours) / taken;
+  sample.neighbours = (simulation.stage_times().neighbours - neighbours) / taken;
   return sample;
 }
 
@@ -90,18 +98,21 @@ LinePlot speed_figure(const SpeedOptions& speed, const ReportOptions& options) {
   plot.y = {"million particle-steps per second", "speed[Mps/s]", true};
   plot.legend = "dimension, threads";
   plot.series_column = "case";
+  const std::vector<int> counts = thread_counts(options.threads);
   for (const int dimension : {2, 3}) {
-    for (const int threads : thread_counts(options.threads)) {
-      Series series{fmt::format("{}D, {}", dimension, threads), {}, {}};
-      for (const std::int64_t n : speed.particles) {
-        const SpeedSample sample = measure_speed(speed_scene(dimension, n), threads, speed.seconds);
+    const std::size_t first = plot.series.size();
+    for (const int threads : counts) plot.series.push_back({fmt::format("{}D, {}", dimension, threads), {}, {}});
+    for (const std::int64_t n : speed.particles) {
+      const std::unique_ptr<Simulation> flow = flow_at(speed_scene(dimension, n), counts.back(), 0);
+      for (std::size_t k = 0; k < counts.size(); ++k) {
+        flow->use_threads(counts[k]);
+        const SpeedSample sample = measure_speed(*flow, speed.seconds);
         options.message(
             fmt::format("{}D, {} particles, {} threads: {:.2f} M particle-steps/s, {:.0f} % of it neighbours",
-                        dimension, sample.particles, threads, sample.mps, 100 * sample.neighbours));
-        series.x.push_back(static_cast<double>(sample.particles));
-        series.y.push_back(sample.mps);
+                        dimension, sample.particles, counts[k], sample.mps, 100 * sample.neighbours));
+        plot.series[first + k].x.push_back(static_cast<double>(sample.particles));
+        plot.series[first + k].y.push_back(sample.mps);
       }
-      plot.series.push_back(std::move(series));
     }
   }
   return plot;
@@ -109,14 +120,25 @@ LinePlot speed_figure(const SpeedOptions& speed, const ReportOptions& options) {
 
 std::string developed_flow_csv(const SpeedOptions& speed, const ReportOptions& options) {
   std::string csv = "dimension,particles,threads,time[s],speed[Mps/s],neighbours_share[1]\n";
+  const std::vector<int> counts = thread_counts(options.threads);
   for (const int dimension : {2, 3}) {
-    const Scene scene = speed_scene(dimension, speed.developed_particles);
-    for (const int threads : thread_counts(options.threads)) {
-      const SpeedSample sample = measure_speed(scene, threads, speed.seconds, developed);
-      options.message(
-          fmt::format("{}D, developed flow, {} threads: {:.2f} M particle-steps/s", dimension, threads, sample.mps));
-      csv += fmt::format("{},{},{},{},{:.3f},{:.3f}\n", dimension, sample.particles, threads, developed, sample.mps,
-                         sample.neighbours);
+    const std::unique_ptr<Simulation> flow =
+        flow_at(speed_scene(dimension, speed.developed_particles), counts.back(), developed);
+    std::vector<std::vector<double>> mps(counts.size());
+    std::vector<std::vector<double>> neighbours(counts.size());
+    for (int repeat = 0; repeat < repeats; ++repeat) {
+      for (std::size_t k = 0; k < counts.size(); ++k) {
+        flow->use_threads(counts[k]);
+        const SpeedSample sample = measure_speed(*flow, 0.5 * speed.seconds);
+        mps[k].push_back(sample.mps);
+        neighbours[k].push_back(sample.neighbours);
+      }
+    }
+    for (std::size_t k = 0; k < counts.size(); ++k) {
+      options.message(fmt::format("{}D, developed flow, {} threads: {:.2f} M particle-steps/s", dimension, counts[k],
+                                  median(mps[k])));
+      csv += fmt::format("{},{},{},{},{:.3f},{:.3f}\n", dimension, flow->fluid_particles(), counts[k], developed,
+                         median(mps[k]), median(neighbours[k]));
     }
   }
   return csv;
@@ -150,22 +172,22 @@ std::string savings_csv(const SpeedOptions& speed, const ReportOptions& options)
       }
     });
     compare(
-        "diagnostics in every step", [](Case&) {}, true);
+        "log row in every step", [](Case&) {}, true);
   }
-  constexpr int repeats = 5;
   std::string csv = "case,with[Mps/s],without[Mps/s],saving[1]\n";
   for (const Case& each : cases) {
-    std::vector<double> with;
-    std::vector<double> without;
+    const std::unique_ptr<Simulation> with = flow_at(each.with, options.threads, 0);
+    const std::unique_ptr<Simulation> without = flow_at(each.without, options.threads, 0);
+    std::vector<double> mps_with;
+    std::vector<double> mps_without;
     std::vector<double> saving;
     for (int k = 0; k < repeats; ++k) {
-      // Diagnostics are not part of solving: what they cost is how much longer the same steps take on the wall clock,
-      // which solving() measures, as they bring densities up to date.
-      with.push_back(measure_speed(each.with, options.threads, 0.2 * speed.seconds, 0, each.log).mps);
-      without.push_back(measure_speed(each.without, options.threads, 0.2 * speed.seconds).mps);
-      saving.push_back(1 - with.back() / without.back());
+      mps_with.push_back(measure_speed(*with, 0.25 * speed.seconds, each.log).mps);
+      mps_without.push_back(measure_speed(*without, 0.25 * speed.seconds).mps);
+      saving.push_back(1 - mps_with.back() / mps_without.back());
     }
-    csv += fmt::format("\"{}\",{:.3f},{:.3f},{:.3f}\n", each.name, median(with), median(without), median(saving));
+    csv +=
+        fmt::format("\"{}\",{:.3f},{:.3f},{:.3f}\n", each.name, median(mps_with), median(mps_without), median(saving));
     options.message(fmt::format("{}: absent, it saves {:.0f} %", each.name, 100 * median(saving)));
   }
   return csv;
@@ -179,8 +201,9 @@ std::string real_time_csv(const SpeedOptions& speed, const ReportOptions& option
       scene.solver.compressibility = Stiffness{k};
       scene.timeline.clear();
       const std::unique_ptr<Simulation> simulation = make_simulation(scene, options.threads);
+      const auto start = std::chrono::steady_clock::now();
       while (!simulation->finished()) simulation->step();
-      const double wall = solving(*simulation);
+      const double wall = seconds_since(start);
       csv += fmt::format("{},{},{:g},{:g},{:.3f},{:.3f}\n", scene.name, simulation->fluid_particles(), k,
                          simulation->simulated_time(), wall, simulation->simulated_time() / wall);
       options.message(fmt::format("{} with k = {:g} Pa: {:.2f} s simulated per second", scene.name, k,

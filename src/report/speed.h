@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "plot/plot.h"
 #include "report/report.h"
 #include "scene/scene.h"
+#include "sph/simulation.h"
 
 namespace weir {
 
@@ -16,7 +18,7 @@ namespace weir {
 // 10 times that of the fall, viscosity 0.01 h c0. Nothing is drawn.
 Scene speed_scene(int dimension, std::int64_t particles);
 
-// Million particle-steps per second of solving: fluid particles times steps over the wall time of the solver.
+// Million particle-steps per second: fluid particles times steps over wall time.
 struct SpeedSample {
   std::int64_t particles = 0;  // fluid
   std::int64_t steps = 0;
@@ -24,11 +26,14 @@ struct SpeedSample {
   double neighbours = 0;  // share of that time spent on sorting and lists
 };
 
-// Steps for about `seconds` of wall time after the run has reached `from` (s), logging every step if asked to.
-SpeedSample measure_speed(const Scene& scene, int threads, double seconds, double from = 0, bool log = false);
+// A run that has reached `time`, s, and has done its first steps, in which memory is touched for the first time.
+std::unique_ptr<Simulation> flow_at(const Scene& scene, int threads, double time);
+
+// Goes on for about `seconds` of wall time, working out a log row after every step if asked to.
+SpeedSample measure_speed(Simulation& simulation, double seconds, bool log = false);
 
 struct SpeedOptions {
-  std::vector<std::int64_t> particles{1000, 10000, 100000, 1000000};
+  std::vector<std::int64_t> particles{1000, 10000, 100000, 1000000, 10000000};
   std::int64_t developed_particles = 100000;  // of the studies in developed flow; the front has then run 2 heights
   double seconds = 2;                         // per measurement
   double real_time_duration = 2;              // s that the scenes of seed A run

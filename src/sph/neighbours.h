@@ -1,24 +1,19 @@
 // Who is near whom: the fluid sorted by space, and lists of pairs within the support and a skin, kept while they are
-// right.
+// right. Each tile's lists are made anew for themselves, when its particles and those of a tile beside it may have come a
+// skin closer: a splash does not make the lists of water at rest wrong.
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "scene/scene.h"
 #include "simd/instruction_set.h"
+#include "sph/engine/engine.h"
 #include "sph/pair_lists.h"
 #include "sph/particles.h"
 #include "sph/tiling.h"
 
 namespace weir {
-
-// How far particles have moved since lists were made: the box of all displacements, and the longest.
-template <int Dim>
-struct Displacements {
-  Vec<Dim> least{};           // m
-  Vec<Dim> greatest{};        // m
-  float longest_squared = 0;  // m^2
-};
 
 template <int Dim>
 class Neighbours {
@@ -34,32 +29,42 @@ class Neighbours {
   // Sorts the walls by space, once.
   Neighbours(const Settings& settings, Team& team, WallParticles<Dim>& walls);
 
-  // Makes the lists right after the particles moved by up to `moved` since they were made. Sorts the particles whenever
-  // lists are made anew. Throws std::range_error for particles that have flown too far.
-  void update(FluidParticles<Dim>& fluid, const WallParticles<Dim>& walls, const Displacements<Dim>& moved);
+  // The particles of a tile moved; a bound that only grows is as good as where each of them went.
+  void follow(std::size_t tile, const DisplacementBox<Dim>& moved);
+  // Makes the lists right that motion may have made wrong, and from time to time sorts the particles anew. Throws
+  // std::range_error for particles that have flown too far.
+  void update(FluidParticles<Dim>& fluid, const WallParticles<Dim>& walls);
+  // Positions jumped (a reset): sort and list at the next update.
+  void forget() { sorted_ = false; }
 
-  // The lists were made for these places; displacements count from there.
-  const std::array<AlignedVector<float>, Dim>& start() const { return start_; }
-  std::int64_t rebuilds() const { return rebuilds_; }
-  // Positions jumped (a reset): make lists anew at the next update.
-  void forget() { made_ = false; }
-
+  std::int64_t sorts() const { return sorts_; }
+  std::int64_t listed_tiles() const { return listed_tiles_; }
   const Tiling<Dim>& tiling() const { return fluid_tiling_; }
   PairInput<Dim> pairs(const FluidParticles<Dim>& fluid, const WallParticles<Dim>& walls) const;
   const PairLists& lists() const { return lists_; }
 
  private:
-  bool still_right(const Displacements<Dim>& moved) const;
-  void rebuild(FluidParticles<Dim>& fluid, const WallParticles<Dim>& walls);
+  void sort(FluidParticles<Dim>& fluid);
+  bool far_from_columns() const;
+  bool still_right(std::size_t tile) const;
+  std::vector<std::int32_t> wrong_tiles() const;
+  void bound_clusters_around(const std::vector<std::int32_t>& tiles, const FluidParticles<Dim>& fluid);
+  void list(const std::vector<std::int32_t>& tiles, const FluidParticles<Dim>& fluid, const WallParticles<Dim>& walls);
 
   Settings settings_;
+  ListPairs<Dim> list_pairs_;
   Team& team_;
   Tiling<Dim> fluid_tiling_;
   Tiling<Dim> wall_tiling_;
   PairLists lists_;
-  std::array<AlignedVector<float>, Dim> start_;
-  std::int64_t rebuilds_ = 0;
-  bool made_ = false;
+  std::vector<std::int32_t> fluid_beside_;  // see TilesView::adjacent
+  std::vector<std::int32_t> walls_beside_;
+  std::vector<DisplacementBox<Dim>> moved_;       // of each tile, since it was sorted
+  std::vector<DisplacementBox<Dim>> moved_then_;  // of the tiles around each, when its lists were made
+  bool sorted_ = false;
+  std::int64_t sorts_ = 0;
+  std::int64_t listed_tiles_ = 0;
+  std::int64_t listed_before_sort_ = 0;
 };
 
 extern template class Neighbours<2>;

@@ -26,6 +26,17 @@ struct PairLists {
 
 constexpr int segment_code_bits = 5;
 
+// The box that the displacements of a tile's particles lie in, m.
+template <int Dim>
+struct DisplacementBox {
+  Vec<Dim> least{};
+  Vec<Dim> greatest{};
+
+  friend DisplacementBox operator-(const DisplacementBox& a, const DisplacementBox& b) {
+    return {a.least - b.least, a.greatest - b.greatest};
+  }
+};
+
 // A sorted set of particles.
 template <int Dim>
 struct TilesView {
@@ -36,6 +47,7 @@ struct TilesView {
   const float* high[Dim] = {};
   const std::int32_t* columns = nullptr;  // of all tiles
   const TileCoordinates<Dim>* coordinates = nullptr;
+  const DisplacementBox<Dim>* moved = nullptr;  // of tiles, since they were sorted into columns; null: not at all
   const std::int32_t* adjacent = nullptr;  // tile_codes per tile of the fluid: the tile of this set there, or -1
 };
 

@@ -38,6 +38,9 @@ class Simulation {
   // k if run time is exactly k / fps, else -1.
   virtual std::int64_t frame_index() const = 0;
 
+  // From the next step on, at most so many of the threads that it was made with; for studies of speed.
+  virtual void use_threads(int most) = 0;
+
   virtual std::int64_t fluid_particles() const = 0;
   virtual std::int64_t wall_particles() const = 0;
 

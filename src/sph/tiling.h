@@ -92,6 +92,8 @@ class Tiling {
 
   // The tile with these coordinates, -1 if no particle is there.
   std::int32_t find(const TileCoordinates<Dim>& coordinates) const;
+  // Puts the boxes around a tile's clusters where its particles are now.
+  void bound_clusters(const Places<Dim>& places, std::size_t tile);
   // For each tile of `around`, in the order of codes, the tile here or -1.
   std::vector<std::int32_t> adjacent(const Tiling& around, Team& team) const;
 
@@ -104,7 +106,6 @@ class Tiling {
   };
   void make_directory(std::vector<std::vector<Run>>& runs_of_chunks, Team& team);
   void sort_tile(const Places<Dim>& places, std::size_t tile);
-  void bound_clusters(const Places<Dim>& places, std::size_t tile);
 
   TileLattice<Dim> lattice_;
   std::vector<std::uint64_t> keys_;  // of the tiles, ascending

@@ -66,7 +66,7 @@ void Wcsph<Dim>::reset(const Sampling& sampling) {
 
 template <int Dim>
 void Wcsph<Dim>::find_neighbours() {
-  neighbours_.update(fluid_, walls_, moved_);
+  neighbours_.update(fluid_, walls_);
 }
 
 template <int Dim>
@@ -137,7 +137,6 @@ std::optional<Escape> Wcsph<Dim>::integrate(double dt) {
   input.tiles = neighbours_.tiling().tiles().data();
   input.id = fluid_.id.data();
   for (int d = 0; d < Dim; ++d) {
-    input.start[d] = neighbours_.start()[d].data();
     input.acceleration[d] = fluid_.acceleration[d].data();
     input.x[d] = fluid_.x[d].data();
     input.rest[d] = fluid_.rest[d].data();
@@ -149,16 +148,11 @@ std::optional<Escape> Wcsph<Dim>::integrate(double dt) {
 
   float fastest = 0;
   bool escaped = false;
-  moved_ = {};
   for (std::size_t tile = 0; tile < extremes.size(); ++tile) {
     const StepExtremes<Dim>& of_tile = extremes[tile];
     fastest = std::max(fastest, of_tile.speed_squared);
     escaped = escaped || of_tile.escaped;
-    moved_.longest_squared = std::max(moved_.longest_squared, of_tile.longest_squared);
-    for (int d = 0; d < Dim; ++d) {
-      moved_.least[d] = tile == 0 ? of_tile.least[d] : std::min(moved_.least[d], of_tile.least[d]);
-      moved_.greatest[d] = tile == 0 ? of_tile.greatest[d] : std::max(moved_.greatest[d], of_tile.greatest[d]);
-    }
+    neighbours_.follow(tile, of_tile.moved);
   }
   max_speed_ = std::sqrt(static_cast<double>(fastest));
   return escaped ? find_escaped(dt) : std::nullopt;

@@ -76,7 +76,6 @@ class Wcsph {
   FluidParticles<Dim> fluid_;
   WallParticles<Dim> walls_;
   Neighbours<Dim> neighbours_;
-  Displacements<Dim> moved_;  // since neighbours were listed
   double max_speed_ = 0;
   double max_acceleration_ = 0;
 };

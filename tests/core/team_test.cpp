@@ -1,9 +1,13 @@
 #include "core/team.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <cstdlib>
 #include <numeric>
+#include <thread>
 #include <vector>
 
 #include "core/parallel.h"
@@ -32,6 +36,30 @@ TEST(Team, RunsManyShortLoopsAfterEachOther) {
     total += std::accumulate(turns.begin(), turns.end(), std::size_t{0});
   }
   EXPECT_EQ(total, 4000 * (36 + 45 + 55 + 66 + 78));
+}
+
+TEST(Team, ThreadsThatAreNotUsedSleep) {
+  Team team(4);
+  team.use_at_most(2);
+  std::atomic<int> at_once{0};
+  std::atomic<int> most{0};
+  std::vector<int> turns(200, 0);
+  for (int loop = 0; loop < 20; ++loop) {
+    team.for_each(turns.size(), [&](std::size_t k) {
+      const int now = ++at_once;
+      for (int seen = most; seen < now && !most.compare_exchange_weak(seen, now);) {
+      }
+      std::this_thread::sleep_for(std::chrono::microseconds(20));
+      ++turns[k];
+      --at_once;
+    });
+  }
+  EXPECT_EQ(most, 2);
+  EXPECT_THAT(turns, testing::Each(20));
+  team.use_at_most(1);
+  const std::thread::id caller = std::this_thread::get_id();
+  team.for_each(turns.size(), [&](std::size_t k) { turns[k] = std::this_thread::get_id() == caller ? 1 : 0; });
+  EXPECT_THAT(turns, testing::Each(1));
 }
 
 TEST(Team, AReductionHasTheSameBitsForAnySize) {

@@ -45,6 +45,7 @@ class FakeSimulation final : public Simulation {
   double simulated_time() const override { return time(); }
   std::int64_t steps() const override { return step_; }
   std::int64_t frame_index() const override { return step_ % steps_per_frame == 0 ? step_ / steps_per_frame : -1; }
+  void use_threads(int) override {}
   std::int64_t fluid_particles() const override { return 1; }
   std::int64_t wall_particles() const override { return 0; }
   void fill(Frame& frame) override {

@@ -59,10 +59,8 @@ using FinishAcceleration = float (*)(const AccelerationArguments<Dim>& in, std::
 template <int Dim>
 struct StepExtremes {
   float speed_squared = 0;  // largest, m^2/s^2
-  float least[Dim] = {};    // of displacements from `start`, m
-  float greatest[Dim] = {};
-  float longest_squared = 0;  // m^2
-  bool escaped = false;       // a particle moved farther than `reach` in this step, or is not finite
+  DisplacementBox<Dim> moved;
+  bool escaped = false;  // a particle moved farther than `reach`, or is not finite
 };
 template <int Dim>
 struct IntegrateArguments {
@@ -70,7 +68,6 @@ struct IntegrateArguments {
   float reach = 0;  // m
   const Tile* tiles = nullptr;
   const std::int32_t* id = nullptr;
-  const float* start[Dim] = {};
   const float* acceleration[Dim] = {};
   float* x[Dim] = {};
   float* rest[Dim] = {};

@@ -47,14 +47,21 @@ WEIR_INLINE void append_candidates(const ListInput<Dim>& in, const TilesView<Dim
   std::int32_t low[Dim];
   std::int32_t high[Dim];
   for (int d = 0; d < Dim; ++d) {
-    if (box.low[d] - reach > half || box.high[d] + reach < -half) return;
+    // Columns hold what was there when they were sorted.
+    float low_then = box.low[d] - reach;
+    float high_then = box.high[d] + reach;
+    if (set.moved != nullptr) {
+      low_then -= set.moved[tile].greatest[d];
+      high_then -= set.moved[tile].least[d];
+    }
+    if (low_then > half || high_then < -half) return;
     const auto column = [&](float place) {
       const float number = (place + half) / in.edge * static_cast<float>(in.columns);
       const auto whole = static_cast<std::int32_t>(number);
       return number < 0 ? 0 : (whole >= in.columns ? in.columns - 1 : whole);
     };
-    low[d] = column(box.low[d] - reach);
-    high[d] = column(box.high[d] + reach);
+    low[d] = column(low_then);
+    high[d] = column(high_then);
   }
   const std::int32_t per_tile = Dim == 2 ? in.columns : in.columns * in.columns;
   const std::int32_t* columns = set.columns + static_cast<std::ptrdiff_t>(tile) * (per_tile + 1);

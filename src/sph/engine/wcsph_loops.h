@@ -123,7 +123,6 @@ StepExtremes<Dim> integrate(const IntegrateArguments<Dim>& in, std::int32_t tile
   const Tile slots = in.tiles[tile];
   Lanes lowest[Dim];
   Lanes highest[Dim];
-  Lanes longest;
   Lanes fastest;
   const Lanes dt = in.dt;
   const Lanes limit = in.reach * in.reach;
@@ -132,7 +131,6 @@ StepExtremes<Dim> integrate(const IntegrateArguments<Dim>& in, std::int32_t tile
     // Empty slots stay where they are: all that they read is zero or nowhere.
     const Mask particle = not_negative(in.id + i);
     Lanes speed_squared;
-    Lanes distance_squared;
     for (int d = 0; d < Dim; ++d) {
       Lanes x = load(in.x[d] + i);
       Lanes rest = load(in.rest[d] + i);
@@ -142,24 +140,20 @@ StepExtremes<Dim> integrate(const IntegrateArguments<Dim>& in, std::int32_t tile
       store(rest, in.rest[d] + i);
       store(v, in.velocity[d] + i);
       speed_squared = multiply_add(v, v, speed_squared);
-      const Lanes moved = x - load(in.start[d] + i);
-      distance_squared = multiply_add(moved, moved, distance_squared);
       const bool first_register = i == slots.begin;
-      lowest[d] = first_register ? moved : select(particle, smaller(lowest[d], moved), lowest[d]);
-      highest[d] = first_register ? moved : select(particle, larger(highest[d], moved), highest[d]);
+      lowest[d] = first_register ? v : select(particle, smaller(lowest[d], v), lowest[d]);
+      highest[d] = first_register ? v : select(particle, larger(highest[d], v), highest[d]);
     }
     fastest = larger(fastest, speed_squared);
-    longest = larger(longest, distance_squared);
     // Written so that a speed that is not a number is caught, too.
     escaped = escaped || !all(at_most(dt * dt * speed_squared, limit));
   }
   StepExtremes<Dim> extremes;
   extremes.speed_squared = greatest(fastest);
-  extremes.longest_squared = greatest(longest);
   extremes.escaped = escaped;
   for (int d = 0; d < Dim; ++d) {
-    extremes.least[d] = least(lowest[d]);
-    extremes.greatest[d] = greatest(highest[d]);
+    extremes.moved.least[d] = in.dt * least(lowest[d]);
+    extremes.moved.greatest[d] = in.dt * greatest(highest[d]);
   }
   return extremes;
 }
