@@ -34,14 +34,15 @@ struct CubicSpline {
     const R b = positive_part(R(1) - q);
     return multiply_add(R(-4), b * b * b, a * a * a);
   }
-  // (dW/dq) / (alpha q). [Hinsch24 ch. 4.2, derivative]
+  // (dW/dq) / (alpha q), without its constant factor. [Hinsch24 ch. 4.2, derivative]
+  static constexpr double slope_factor = -3;
   template <class R>
   static R slope_over_q(R q) {
-    // Below this the quotient has long reached its limit -12, and x_ij, by which it is multiplied, is zero to rounding.
+    // Below this the quotient has long reached its limit 4, and x_ij, by which it is multiplied, is zero to rounding.
     constexpr float tiny = 1e-12F;
     const R a = positive_part(R(2) - q);
     const R b = positive_part(R(1) - q);
-    return multiply_add(R(12), b * b, R(-3) * (a * a)) / (positive_part(q - R(tiny)) + R(tiny));
+    return quotient(minus_product(a * a, R(4), b * b), positive_part(q - R(tiny)) + R(tiny));
   }
 };
 
@@ -62,21 +63,25 @@ struct WendlandC2 {
     const R t2 = t * t;
     return t2 * t2 * multiply_add(R(2), q, R(1));
   }
-  // (dW/dq) / (alpha q): -5 (1 - q/2)^3, in 1D -3 (1 - q/2)^2. [Wendland95, C2 derivative]
+  // (dW/dq) / (alpha q), without its constant factor: -5 (1 - q/2)^3, in 1D -3 (1 - q/2)^2. [Wendland95, C2 derivative]
+  static constexpr double slope_factor = Dim == 1 ? -3 : -5;
   template <class R>
   static R slope_over_q(R q) {
     const R t = positive_part(multiply_add(R(-0.5), q, R(1)));
-    if constexpr (Dim == 1) return R(-3) * (t * t);
-    return R(-5) * (t * t * t);
+    if constexpr (Dim == 1) return t * t;
+    return t * t * t;
   }
 };
 
-// A kernel at one smoothing length, with its constants worked out. R is the type that the loops compute in.
+// A kernel at one smoothing length, times a factor, with its constants worked out. R is the type that the loops compute in.
 template <class Shape, class R>
 class KernelAt {
  public:
+  // `alpha` is the shape's own, times the factor.
   explicit KernelAt(double h, double alpha)
-      : inverse_h_(static_cast<R>(1 / h)), alpha_(static_cast<R>(alpha)), slope_(static_cast<R>(alpha / (h * h))) {}
+      : inverse_h_(static_cast<R>(1 / h)),
+        alpha_(static_cast<R>(alpha)),
+        slope_(static_cast<R>(alpha * Shape::slope_factor / (h * h))) {}
 
   // W(r), m^-Dim.
   template <class V>
@@ -89,7 +94,7 @@ class KernelAt {
     return Shape::shape(r * V(inverse_h_));
   }
   R alpha() const { return alpha_; }  // m^-Dim
-  // W'(r) / r, m^-(Dim + 2); never positive.
+  // W'(r) / r, m^-(Dim + 2); never positive, for a positive factor.
   template <class V>
   V derivative_over_r(V r) const {
     return V(slope_) * Shape::slope_over_q(r * V(inverse_h_));
@@ -100,8 +105,8 @@ class KernelAt {
 };
 
 template <template <int> class Family, int Dim, class R = Real>
-KernelAt<Family<Dim>, R> kernel_at(double h) {
-  return KernelAt<Family<Dim>, R>(h, Family<Dim>::alpha(h));
+KernelAt<Family<Dim>, R> kernel_at(double h, double factor = 1) {
+  return KernelAt<Family<Dim>, R>(h, factor * Family<Dim>::alpha(h));
 }
 
 }  // namespace weir

@@ -36,6 +36,8 @@ struct Lanes {
 
   // By the names of core/math.h. Rounded twice, as there is no instruction for less.
   friend WEIR_INLINE Lanes multiply_add(Lanes a, Lanes b, Lanes c) { return a.v * b.v + c.v; }
+  friend WEIR_INLINE Lanes minus_product(Lanes c, Lanes a, Lanes b) { return c.v - a.v * b.v; }
+  friend WEIR_INLINE Lanes quotient(Lanes a, Lanes b) { return a / b; }
   friend WEIR_INLINE Lanes smaller(Lanes a, Lanes b) { return a.v < b.v ? a.v : b.v; }
   friend WEIR_INLINE Lanes larger(Lanes a, Lanes b) { return a.v > b.v ? a.v : b.v; }
   friend WEIR_INLINE Lanes positive_part(Lanes a) { return larger(a, Lanes()); }

@@ -10,8 +10,8 @@ namespace weir {
 namespace {
 
 template <int Dim>
-TilesView<Dim> view_of(const Tiling<Dim>& tiling, const Places<Dim>& places,
-                       const std::vector<std::int32_t>& adjacent, const DisplacementBox<Dim>* moved) {
+TilesView<Dim> view_of(const Tiling<Dim>& tiling, const Places<Dim>& places, const std::vector<std::int32_t>& adjacent,
+                       const DisplacementBox<Dim>* moved) {
   TilesView<Dim> view;
   view.tiles = tiling.tiles().data();
   view.tile_count = static_cast<std::int32_t>(tiling.tiles().size());
@@ -29,7 +29,7 @@ TilesView<Dim> view_of(const Tiling<Dim>& tiling, const Places<Dim>& places,
 
 // Sorting costs as much as making lists, and lists of clusters that have lost their shape are longer: sort when so many
 // have been made since, per tile.
-constexpr double lists_per_sort = 1;
+constexpr double lists_per_sort = 2;
 
 // Of the largest distance by which any particle of one box came closer to any of another.
 template <int Dim>

@@ -48,7 +48,7 @@ struct TilesView {
   const std::int32_t* columns = nullptr;  // of all tiles
   const TileCoordinates<Dim>* coordinates = nullptr;
   const DisplacementBox<Dim>* moved = nullptr;  // of tiles, since they were sorted into columns; null: not at all
-  const std::int32_t* adjacent = nullptr;  // tile_codes per tile of the fluid: the tile of this set there, or -1
+  const std::int32_t* adjacent = nullptr;       // tile_codes per tile of the fluid: the tile of this set there, or -1
 };
 
 // What lists are made from.

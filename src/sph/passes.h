@@ -49,7 +49,6 @@ struct DensityPass {
 // in their terms.
 template <int Dim>
 struct AccelerationInput {
-  float m;  // kg
   float rest_density;
   const float* velocity[Dim];
   const float* density;
@@ -77,11 +76,11 @@ template <class... Terms>
 struct TermSet : Terms... {
   template <int Dim, class R>
   Vec<Dim, R> from_fluid(const Pair<Dim, R>& pair) const {
-    return (static_cast<const Terms&>(*this).from_fluid(pair) + ...);
+    return acceleration(pair, (... + static_cast<const Terms&>(*this).from_fluid(pair)));
   }
   template <int Dim, class R>
   Vec<Dim, R> from_wall(const Pair<Dim, R>& pair) const {
-    return (static_cast<const Terms&>(*this).from_wall(pair) + ...);
+    return acceleration(pair, (... + static_cast<const Terms&>(*this).from_wall(pair)));
   }
 };
 
@@ -92,7 +91,7 @@ struct FluidAcceleration {
   template <class R>
   using State = AccelerationState<Dim, R>;
 
-  Kernel kernel;
+  Kernel kernel;  // times -m, as F_ij has it
   AccelerationInput<Dim> in;
   TermSet<Terms...> terms;
 
@@ -105,8 +104,7 @@ struct FluidAcceleration {
     const Pair<Dim, R> pair{.x_ij = x_ij,
                             .v_ij = i.v - j.v,
                             .r2 = r2,
-                            .dw_over_r = kernel.derivative_over_r(square_root(r2)),
-                            .m_j = R(in.m),
+                            .f = kernel.derivative_over_r(square_root(r2)),
                             .rho_i = i.rho,
                             .rho_j = j.rho,
                             .pressure_i = i.pressure,
@@ -122,7 +120,7 @@ struct WallAcceleration {
   template <class R>
   using State = AccelerationState<Dim, R>;
 
-  Kernel kernel;
+  Kernel kernel;  // times -m, as F_ij has it
   AccelerationInput<Dim> in;
   TermSet<Terms...> terms;
 
@@ -135,8 +133,7 @@ struct WallAcceleration {
     const Pair<Dim, R> pair{.x_ij = x_ij,
                             .v_ij = i.v,
                             .r2 = r2,
-                            .dw_over_r = kernel.derivative_over_r(square_root(r2)),
-                            .m_j = R(in.m),
+                            .f = kernel.derivative_over_r(square_root(r2)),
                             .rho_i = i.rho,
                             .rho_j = R(in.rest_density),
                             .pressure_i = i.pressure,

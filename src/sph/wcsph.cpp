@@ -9,7 +9,7 @@ namespace weir {
 namespace {
 
 // How far lists reach beyond the support, in particle spacings: wider lists live longer but hold more pairs to reject.
-constexpr double skin_per_dx = 0.4;
+constexpr double skin_per_dx = 0.3;
 
 template <int Dim>
 std::vector<Vec<Dim, double>> points(const std::vector<Vec3>& positions) {
@@ -104,10 +104,10 @@ void Wcsph<Dim>::compute_accelerations() {
   AccelerationArguments<Dim> input;
   input.pairs = neighbours_.pairs(fluid_, walls_);
   input.h = h_;
-  input.m = static_cast<float>(mass_);
+  input.m = mass_;
   input.rest_density = static_cast<float>(rest_density_);
   input.nu = controls_.viscosity;
-  input.s = static_cast<float>(controls_.surface_tension);
+  input.s = controls_.surface_tension;
   input.id = fluid_.id.data();
   input.density = fluid_.density.data();
   input.pressure = fluid_.pressure.data();

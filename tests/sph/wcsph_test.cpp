@@ -161,15 +161,13 @@ std::vector<Vec<Dim, double>> accelerations_over_all_pairs(const State<Dim>& sta
                                                            const std::vector<double>& pressure, const Kernel& kernel,
                                                            bool slip, const Terms&... terms) {
   const double rho0 = scene.fluid.rest_density;
-  const double m = particle_mass(scene);
   std::vector<Vec<Dim, double>> result(state.size());
   for (std::size_t i = 0; i < state.size(); ++i) {
     result[i] = from_scene<Dim, double>(scene.gravity);
     Pair<Dim, double> pair{.x_ij = {},
                            .v_ij = {},
                            .r2 = 0,
-                           .dw_over_r = 0,
-                           .m_j = m,
+                           .f = 0,
                            .rho_i = state.density[i],
                            .rho_j = 0,
                            .pressure_i = pressure[i],
@@ -177,15 +175,15 @@ std::vector<Vec<Dim, double>> accelerations_over_all_pairs(const State<Dim>& sta
     const auto meet = [&](const Vec<Dim, double>& x_j) {
       pair.x_ij = state.position[i] - x_j;
       pair.r2 = dot(pair.x_ij, pair.x_ij);
-      pair.dw_over_r = kernel.derivative_over_r(std::sqrt(pair.r2));
-      return pair.dw_over_r != 0;
+      pair.f = kernel.derivative_over_r(std::sqrt(pair.r2));
+      return pair.f != 0;
     };
     for (std::size_t j = 0; j < state.size(); ++j) {
       if (i == j || !meet(state.position[j])) continue;
       pair.v_ij = state.velocity[i] - state.velocity[j];
       pair.rho_j = state.density[j];
       pair.pressure_j = pressure[j];
-      ((result[i] += terms.from_fluid(pair)), ...);
+      ((result[i] += acceleration(pair, terms.from_fluid(pair))), ...);
     }
     for (const auto& x_j : state.wall) {
       if (!meet(x_j)) continue;
@@ -194,7 +192,7 @@ std::vector<Vec<Dim, double>> accelerations_over_all_pairs(const State<Dim>& sta
       const auto add = [&](const auto& term) {
         constexpr bool pressure_term = std::is_same_v<std::remove_cvref_t<decltype(term)>, Pressure>;
         if constexpr (requires { term.from_wall(pair); }) {
-          if (pressure_term || !slip) result[i] += term.from_wall(pair);
+          if (pressure_term || !slip) result[i] += acceleration(pair, term.from_wall(pair));
         }
       };
       (add(terms), ...);
@@ -209,12 +207,12 @@ std::vector<Vec<Dim, double>> accelerations_over_all_pairs(const State<Dim>& sta
   const bool slip = scene.solver.wall_slip == WallSlip::free_slip;
   const double h = smoothing_length(scene);
   const double nu = scene.fluid.viscosity.kinematic;
-  const Pressure push{static_cast<Real>(particle_mass(scene))};
+  const Pressure push;
   const auto with = [&](const auto&... viscosity) {
     if (scene.fluid.surface_tension.model == SurfaceTensionModel::none) {
       return accelerations_over_all_pairs<Dim>(state, scene, pressure, kernel, slip, push, viscosity...);
     }
-    const SeedASurfaceTension tension{static_cast<Real>(scene.fluid.surface_tension.coefficient)};
+    const auto tension = SeedASurfaceTension::of(scene.fluid.surface_tension.coefficient, particle_mass(scene));
     return accelerations_over_all_pairs<Dim>(state, scene, pressure, kernel, slip, push, viscosity..., tension);
   };
   switch (scene.fluid.viscosity.model) {
@@ -241,10 +239,11 @@ void expect_equal_to_all_pairs(const Scene& scene, const Sampling& sampling, Tea
       pressure[static_cast<std::size_t>(solver.fluid().id[slot])] = solver.fluid().pressure[slot];
   }
   const double h = smoothing_length(scene);
+  const double minus_m = -particle_mass(scene);
   const auto exact =
       scene.solver.kernel.name == KernelName::wendland_c2
-          ? accelerations_over_all_pairs<Dim>(state, scene, pressure, kernel_at<WendlandC2, Dim, double>(h))
-          : accelerations_over_all_pairs<Dim>(state, scene, pressure, kernel_at<CubicSpline, Dim, double>(h));
+          ? accelerations_over_all_pairs<Dim>(state, scene, pressure, kernel_at<WendlandC2, Dim, double>(h, minus_m))
+          : accelerations_over_all_pairs<Dim>(state, scene, pressure, kernel_at<CubicSpline, Dim, double>(h, minus_m));
   double largest = 0;
   double worst = 0;
   for (std::size_t i = 0; i < exact.size(); ++i) {

@@ -38,10 +38,10 @@ template <int Dim>
 struct AccelerationArguments {
   PairInput<Dim> pairs;
   double h = 0;  // m
-  float m = 0;   // kg
+  double m = 0;  // kg
   float rest_density = 0;
   double nu = 0;  // m^2/s
-  float s = 0;    // of the surface tension, m^(Dim + 2)/s^2
+  double s = 0;   // of the surface tension, m^(Dim + 2)/s^2
   float gravity[Dim] = {};
   const std::int32_t* id = nullptr;
   const float* density = nullptr;

@@ -54,7 +54,7 @@ void density(const DensityInput<Dim>& in, std::int32_t tile) {
 template <int Dim>
 WEIR_INLINE AccelerationInput<Dim> read_by_pairs(const AccelerationArguments<Dim>& in) {
   AccelerationInput<Dim> read{
-      .m = in.m, .rest_density = in.rest_density, .velocity = {}, .density = in.density, .pressure = in.pressure};
+      .rest_density = in.rest_density, .velocity = {}, .density = in.density, .pressure = in.pressure};
   for (int d = 0; d < Dim; ++d) read.velocity[d] = in.velocity[d];
   return read;
 }
@@ -68,18 +68,18 @@ void fluid_acceleration(const AccelerationArguments<Dim>& in, std::int32_t tile)
   for (int d = 0; d < Dim; ++d) fill(in.acceleration[d], in.pairs.tiles[tile], 0);
   const auto visit = [&](const auto&... terms) {
     const FluidAcceleration<Dim, K, std::remove_cvref_t<decltype(terms)>...> pass{
-        kernel_at<Kernel, Dim>(in.h), read_by_pairs(in), {terms...}};
+        kernel_at<Kernel, Dim>(in.h, -in.m), read_by_pairs(in), {terms...}};
     visit_fluid<Dim>(in.pairs, tile, pass, in.acceleration);
   };
   constexpr bool viscous = !std::is_same_v<Viscosity, Absent>;
   constexpr bool cohesive = !std::is_same_v<SurfaceTension, Absent>;
-  const Pressure pressure{in.m};
+  constexpr Pressure pressure;
   if constexpr (viscous && cohesive) {
-    visit(pressure, Viscosity::template of<Dim>(in.nu, in.h), SurfaceTension{in.s});
+    visit(pressure, Viscosity::template of<Dim>(in.nu, in.h), SurfaceTension::of(in.s, in.m));
   } else if constexpr (viscous) {
     visit(pressure, Viscosity::template of<Dim>(in.nu, in.h));
   } else if constexpr (cohesive) {
-    visit(pressure, SurfaceTension{in.s});
+    visit(pressure, SurfaceTension::of(in.s, in.m));
   } else {
     visit(pressure);
   }
@@ -90,10 +90,10 @@ void wall_acceleration(const AccelerationArguments<Dim>& in, std::int32_t tile) 
   using K = KernelAt<Kernel<Dim>, Real>;
   const auto visit = [&](const auto&... terms) {
     const WallAcceleration<Dim, K, std::remove_cvref_t<decltype(terms)>...> pass{
-        kernel_at<Kernel, Dim>(in.h), read_by_pairs(in), {terms...}};
+        kernel_at<Kernel, Dim>(in.h, -in.m), read_by_pairs(in), {terms...}};
     visit_walls<Dim>(in.pairs, tile, pass, in.acceleration);
   };
-  const Pressure pressure{in.m};
+  constexpr Pressure pressure;
   if constexpr (std::is_same_v<Viscosity, Absent>) {
     visit(pressure);
   } else {
