@@ -14,6 +14,25 @@ namespace {
 // A helper is worth waking for at least this many turns.
 constexpr std::size_t turns_per_helper = 2;
 
+// How often a thread looks again before it sleeps: some 10 us, as long as waking takes. Steps of few particles are a chain
+// of short loops.
+constexpr int looks = 200;
+
+void pause() {
+#if defined(__x86_64__)
+  __builtin_ia32_pause();
+#endif
+}
+
+// Waits until `value` is no longer `old`.
+void await_change(const std::atomic<int>& value, int old) {
+  for (int look = 0; look < looks; ++look) {
+    if (value.load(std::memory_order_acquire) != old) return;
+    pause();
+  }
+  value.wait(old);
+}
+
 }  // namespace
 
 int thread_count(int requested) {
@@ -31,8 +50,8 @@ int thread_count(int requested) {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-Team::Team(int threads) {
-  for (int k = 1; k < threads; ++k) helpers_.emplace_back([this] { help(); });
+Team::Team(int threads) : shares_(static_cast<std::size_t>(std::max(threads, 1))) {
+  for (std::size_t k = 1; k < shares_.size(); ++k) helpers_.emplace_back([this, k] { help(k); });
 }
 
 Team::~Team() {
@@ -50,9 +69,11 @@ void Team::run(std::size_t count, Call call, const void* object) {
   }
   call_ = call;
   object_ = object;
-  count_ = count;
   wanted_ = wanted;
-  next_ = 0;
+  for (std::size_t k = 0; k < shares_.size(); ++k) {
+    shares_[k].next = count * k / shares_.size();
+    shares_[k].end = count * (k + 1) / shares_.size();
+  }
   open_ = true;
   ++loops_;
   if (wanted == helpers_.size()) {
@@ -60,25 +81,28 @@ void Team::run(std::size_t count, Call call, const void* object) {
   } else {
     for (std::size_t k = 0; k < wanted; ++k) loops_.notify_one();
   }
-  take_turns();
+  take_turns(0);
   // A helper first counts itself inside and then looks whether the loop is open; this closes it and then looks for helpers
   // inside. In that order (sequentially consistent), either it sees the loop closed or it is waited for here.
   open_ = false;
-  for (int inside = inside_; inside != 0; inside = inside_) inside_.wait(inside);
+  for (int inside = inside_; inside != 0; inside = inside_) await_change(inside_, inside);
 }
 
-void Team::take_turns() {
-  for (std::size_t k = next_++; k < count_; k = next_++) call_(object_, k);
+void Team::take_turns(std::size_t first_share) {
+  for (std::size_t n = 0; n < shares_.size(); ++n) {
+    Share& share = shares_[(first_share + n) % shares_.size()];
+    for (std::size_t k = share.next++; k < share.end; k = share.next++) call_(object_, k);
+  }
 }
 
-void Team::help() {
+void Team::help(std::size_t share) {
   int seen = 0;
   while (true) {
-    loops_.wait(seen);
+    await_change(loops_, seen);
     seen = loops_;
     if (ending_) return;
     const int place = ++inside_;
-    if (open_ && static_cast<std::size_t>(place) <= wanted_) take_turns();
+    if (open_ && static_cast<std::size_t>(place) <= wanted_) take_turns(share);
     --inside_;
     inside_.notify_one();
   }

@@ -1,8 +1,8 @@
 // Threads that share the work of a loop.
 //
-// Not OpenMP, whose waiting threads spin: beside the threads that draw and encode they would take the very cores that the
-// loop needs (three times slower with the cores shared, measured on two). These wait in the kernel, and a loop that ends
-// before a thread has woken does not wait for it.
+// Not OpenMP, whose waiting threads spin long: beside the threads that draw and encode they would take the very cores that
+// the loop needs (three times slower with the cores shared, measured on two). These soon wait in the kernel, and a loop that
+// ends before a thread has woken does not wait for it.
 #pragma once
 
 #include <algorithm>
@@ -38,15 +38,20 @@ class Team {
  private:
   using Call = void (*)(const void* object, std::size_t k);
   void run(std::size_t count, Call call, const void* object);
-  void take_turns();
-  void help();
+  void take_turns(std::size_t first_share);
+  void help(std::size_t share);
 
   // The loop under way; written only while it is closed and nobody is inside.
   Call call_ = nullptr;
   const void* object_ = nullptr;
-  std::size_t count_ = 0;
   std::size_t wanted_ = 0;  // helpers
-  std::atomic<std::size_t> next_{0};
+  // Each thread has a share of the turns, the same in every loop of so many, and then takes what others have left: what it
+  // worked on in the last loop is still in its cache.
+  struct alignas(64) Share {
+    std::atomic<std::size_t> next{0};
+    std::size_t end = 0;
+  };
+  std::vector<Share> shares_;
 
   std::atomic<bool> open_{false};
   std::atomic<int> inside_{0};  // helpers that are, or may be, at work on it

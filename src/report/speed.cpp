@@ -35,6 +35,9 @@ double median(std::vector<double> values) {
 // Enough time for the front to run 2 heights: T = 2 sqrt(g / H) t [Martin and Moyce 1952, n^2 = 1].
 constexpr double developed = 0.6;  // s
 
+// Of a measurement: as many as a list of neighbours lives, or the share that belongs to it would be luck.
+constexpr int least_steps = 10;
+
 // Of what is compared, in turn; medians are given.
 constexpr int repeats = 5;
 
@@ -46,15 +49,16 @@ Scene speed_scene(int dimension, std::int64_t particles) {
   scene.dimension = dimension;
   scene.duration = 10;
   const double n = static_cast<double>(particles);
+  // Whole spacings in every length, or walls would squeeze the fluid.
   if (dimension == 2) {
     scene.gravity = Vec3(0, -9.81, 0);
-    scene.particle_spacing = std::sqrt(1 / n);
+    scene.particle_spacing = 1 / std::round(std::sqrt(n));
     scene.fluid.volumes = {{.shape = Box{Vec3(0), Vec3(1, 1, 0)}}};
     scene.walls = {{.shape = Tank{Vec3(0), Vec3(3, 2, 0), {Side::top}}, .layers = 0, .holes = {}}};
     scene.solver.kernel = {KernelName::wendland_c2, 1.3};
   } else {
     scene.gravity = Vec3(0, 0, -9.81);
-    scene.particle_spacing = std::cbrt(0.5 / n);
+    scene.particle_spacing = 0.5 / std::round(std::cbrt(n / 4));
     scene.fluid.volumes = {{.shape = Box{Vec3(0), Vec3(1, 0.5, 1)}}};
     scene.walls = {{.shape = Tank{Vec3(0), Vec3(3, 0.5, 2), {Side::top}}, .layers = 0, .holes = {}}};
     scene.solver.kernel = {KernelName::wendland_c2, 1.2};
@@ -73,9 +77,30 @@ std::unique_ptr<Simulation> flow_at(const Scene& scene, int threads, double time
   return simulation;
 }
 
+SpeedSample measure_start(const Scene& scene, int threads, double seconds) {
+  // So many that runs of all sizes are still near their start, and that lists are made.
+  constexpr int steps = 100;
+  SpeedSample sample;
+  double taken = 0;
+  double neighbours = 0;
+  do {
+    const std::unique_ptr<Simulation> flow = flow_at(scene, threads, 0);
+    const StageTimes before = flow->stage_times();
+    const auto start = std::chrono::steady_clock::now();
+    for (int k = 0; k < steps && (k < least_steps || seconds_since(start) < seconds); ++k) {
+      flow->step();
+      ++sample.steps;
+    }
+    taken += seconds_since(start);
+    neighbours += flow->stage_times().neighbours - before.neighbours;
+    sample.particles = flow->fluid_particles();
+  } while (taken < seconds);
+  sample.mps = 1e-6 * static_cast<double>(sample.particles) * static_cast<double>(sample.steps) / taken;
+  sample.neighbours = neighbours / taken;
+  return sample;
+}
+
 SpeedSample measure_speed(Simulation& simulation, double seconds, bool log) {
-  // As many as a list of neighbours lives, or the share that belongs to it would be luck.
-  constexpr int least_steps = 10;
   const double neighbours = simulation.stage_times().neighbours;
   const auto start = std::chrono::steady_clock::now();
   SpeedSample sample;
@@ -103,10 +128,8 @@ LinePlot speed_figure(const SpeedOptions& speed, const ReportOptions& options) {
     const std::size_t first = plot.series.size();
     for (const int threads : counts) plot.series.push_back({fmt::format("{}D, {}", dimension, threads), {}, {}});
     for (const std::int64_t n : speed.particles) {
-      const std::unique_ptr<Simulation> flow = flow_at(speed_scene(dimension, n), counts.back(), 0);
       for (std::size_t k = 0; k < counts.size(); ++k) {
-        flow->use_threads(counts[k]);
-        const SpeedSample sample = measure_speed(*flow, speed.seconds);
+        const SpeedSample sample = measure_start(speed_scene(dimension, n), counts[k], speed.seconds);
         options.message(
             fmt::format("{}D, {} particles, {} threads: {:.2f} M particle-steps/s, {:.0f} % of it neighbours",
                         dimension, sample.particles, counts[k], sample.mps, 100 * sample.neighbours));

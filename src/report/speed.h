@@ -29,6 +29,9 @@ struct SpeedSample {
 // A run that has reached `time`, s, and has done its first steps, in which memory is touched for the first time.
 std::unique_ptr<Simulation> flow_at(const Scene& scene, int threads, double time);
 
+// The first steps of runs, as many runs as make up for `seconds` of wall time.
+SpeedSample measure_start(const Scene& scene, int threads, double seconds);
+
 // Goes on for about `seconds` of wall time, working out a log row after every step if asked to.
 SpeedSample measure_speed(Simulation& simulation, double seconds, bool log = false);
 

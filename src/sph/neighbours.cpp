@@ -49,7 +49,8 @@ Neighbours<Dim>::Neighbours(const Settings& settings, Team& team, WallParticles<
     : settings_(settings),
       list_pairs_(loops_for<Dim>(settings.instruction_set, Terms{}).list_pairs),
       team_(team),
-      fluid_tiling_(TileLattice<Dim>(settings.particle_spacing, settings.support_radius + settings.skin)),
+      fluid_tiling_(
+          TileLattice<Dim>(settings.particle_spacing, settings.support_radius + settings.skin, settings.particles)),
       wall_tiling_(fluid_tiling_.lattice()) {
   wall_tiling_.sort(walls, team);
 }

@@ -23,6 +23,7 @@ class Neighbours {
     double particle_spacing = 0;
     double support_radius = 0;
     double skin = 0;
+    std::size_t particles = 0;  // of the fluid
     NeighbourSearch search = NeighbourSearch::index_sort;
     InstructionSet instruction_set = InstructionSet::baseline;
   };

@@ -44,9 +44,10 @@ double with_few_digits(double value) {
 }  // namespace
 
 template <int Dim>
-TileLattice<Dim>::TileLattice(double particle_spacing, double reach) {
+TileLattice<Dim>::TileLattice(double particle_spacing, double reach, std::size_t particles) {
   // Large enough that few pairs lie between tiles, small enough that there are many to share among threads.
-  constexpr double spacings_per_tile = Dim == 2 ? 32 : 16;
+  constexpr std::size_t few = Dim == 2 ? 20'000 : 50'000;
+  const double spacings_per_tile = (Dim == 2 ? 32 : 16) / (particles < few ? 2 : 1);
   const double wanted = std::max(spacings_per_tile * particle_spacing, reach);
   edge_ = with_few_digits(wanted);
   columns_ = std::max(1, static_cast<std::int32_t>(std::lround(edge_ / (2 * particle_spacing))));

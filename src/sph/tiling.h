@@ -24,8 +24,9 @@ using TileCoordinates = std::array<std::int32_t, Dim>;
 template <int Dim>
 class TileLattice {
  public:
-  // Tiles are at least `reach` (m) wide, so that only adjacent ones hold neighbours.
-  TileLattice(double particle_spacing, double reach);
+  // Tiles are at least `reach` (m) wide, so that only adjacent ones hold neighbours; and narrower for few particles, so
+  // that there are tiles enough to share among threads.
+  TileLattice(double particle_spacing, double reach, std::size_t particles);
 
   // A float with few digits, so that places are shifted from tile to tile without rounding.
   double edge() const { return edge_; }

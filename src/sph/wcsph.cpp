@@ -43,6 +43,7 @@ Wcsph<Dim>::Wcsph(const Scene& scene, const Sampling& sampling, Team& team, Inst
       neighbours_({.particle_spacing = scene.particle_spacing,
                    .support_radius = support_radius_,
                    .skin = skin_per_dx * scene.particle_spacing,
+                   .particles = sampling.fluid_positions.size(),
                    .search = scene.solver.neighbour_search,
                    .instruction_set = instruction_set},
                   team, walls_) {

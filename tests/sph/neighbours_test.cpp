@@ -49,7 +49,8 @@ bool holds(const IdPairs& listed, const IdPairs& wanted) {
   return std::includes(listed.begin(), listed.end(), wanted.begin(), wanted.end());
 }
 
-constexpr double spacing = 0.4;  // dx, against a support of 1
+constexpr double spacing = 0.4;        // dx, against a support of 1
+constexpr std::size_t many = 100'000;  // particles: tiles of full width, 32 spacings in 2D and 16 in 3D
 
 // Every pair within the support is listed; a listed cluster holds some pair within the reach.
 template <int Dim>
@@ -60,7 +61,7 @@ void expect_every_pair_within(const std::vector<Vec<Dim, double>>& points,
   const double radius = 1;
   auto fluid = fluid_at<Dim>(points);
   WallParticles<Dim> walls = unsorted<Dim>(wall_points);
-  Neighbours<Dim> neighbours({spacing, radius, 0, search, set}, team, walls);
+  Neighbours<Dim> neighbours({spacing, radius, 0, many, search, set}, team, walls);
   neighbours.update(fluid, walls);
   const int rows = loops_for<Dim>(set, {}).rows;
   const IdPairs listed = listed_fluid_pairs<Dim>(neighbours, fluid, rows);
@@ -106,7 +107,7 @@ TYPED_TEST(NeighboursIn, BothSearchesMakeTheSameLists) {
     for (const NeighbourSearch search : {NeighbourSearch::index_sort, NeighbourSearch::naive}) {
       auto fluid = fluid_at<dim>(scattered<dim>(3000, -8, 8, 6));
       WallParticles<dim> walls = unsorted<dim>(scattered<dim>(600, -9, 9, 7));
-      Neighbours<dim> neighbours({spacing, 1, 0.2, search, set}, team, walls);
+      Neighbours<dim> neighbours({spacing, 1, 0.2, many, search, set}, team, walls);
       neighbours.update(fluid, walls);
       std::vector<std::int32_t> all;
       for (std::size_t tile = 0; tile < neighbours.tiling().tiles().size(); ++tile) {
@@ -136,7 +137,7 @@ TEST(SeedA, FindsThirteenNineAndFiveNeighboursOnTheLattice) {
     Team team(1);
     WallParticles<2> walls;
     const InstructionSet set = usable_instruction_sets().back();
-    Neighbours<2> neighbours({h, radius * h, 0, NeighbourSearch::index_sort, set}, team, walls);
+    Neighbours<2> neighbours({h, radius * h, 0, many, NeighbourSearch::index_sort, set}, team, walls);
     neighbours.update(sorted, walls);
     IdPairs listed = listed_fluid_pairs<2>(neighbours, sorted, loops_for<2>(set, {}).rows);
     listed.insert({center, center});
@@ -173,7 +174,7 @@ TYPED_TEST(NeighboursIn, ListsWithASkinNeverMissAPair) {
   Team team(2);
   WallParticles<dim> walls = unsorted<dim>(scattered<dim>(100, -3, 3, 9));
   const InstructionSet set = usable_instruction_sets().back();
-  Neighbours<dim> neighbours({spacing, 1, 0.2, NeighbourSearch::index_sort, set}, team, walls);
+  Neighbours<dim> neighbours({spacing, 1, 0.2, many, NeighbourSearch::index_sort, set}, team, walls);
   const int rows = loops_for<dim>(set, {}).rows;
   std::mt19937 random(10);
   std::uniform_real_distribution<float> u(-0.02F, 0.02F);
@@ -211,7 +212,7 @@ TYPED_TEST(NeighboursIn, OnlyWhatMovedIsListedAnew) {
   auto fluid = fluid_at<dim>(points);
   WallParticles<dim> walls;
   const InstructionSet set = usable_instruction_sets().back();
-  Neighbours<dim> neighbours({spacing, 1, 0.2, NeighbourSearch::index_sort, set}, team, walls);
+  Neighbours<dim> neighbours({spacing, 1, 0.2, many, NeighbourSearch::index_sort, set}, team, walls);
   neighbours.update(fluid, walls);
   ASSERT_EQ(neighbours.tiling().tiles().size(), tiles_in_a_row);
   EXPECT_EQ(neighbours.listed_tiles(), tiles_in_a_row);
@@ -235,7 +236,8 @@ TYPED_TEST(NeighboursIn, AUniformMotionNeedsNoNewLists) {
     Team team(1);
     auto fluid = fluid_at<dim>(scattered<dim>(100, 0, 2, 12));
     WallParticles<dim> walls = unsorted<dim>(walled ? scattered<dim>(10, 0, 2, 13) : std::vector<Vec<dim, double>>{});
-    Neighbours<dim> neighbours({spacing, 1, 0.2, NeighbourSearch::index_sort, InstructionSet::baseline}, team, walls);
+    Neighbours<dim> neighbours({spacing, 1, 0.2, many, NeighbourSearch::index_sort, InstructionSet::baseline}, team,
+                               walls);
     neighbours.update(fluid, walls);
     const auto far = static_cast<float>(0.5 * (neighbours.tiling().lattice().edge() - 1.2));
     const auto along_x = [](float distance) { return [=](std::int32_t, int d) { return d == 0 ? distance : 0; }; };

@@ -65,7 +65,7 @@ TYPED_TEST(TilingIn, KeepsEveryParticleInTheTileWhereItIs) {
   for (const auto& [low, high] : {std::pair{-1.0, 1.0}, std::pair{1e4, 1e4 + 0.5}, std::pair{0.0, 1e-3}}) {
     auto points = scattered<dim>(3000, low, high, 1);
     Places<dim> places = unsorted<dim>(points);
-    Tiling<dim> tiling(TileLattice<dim>(dx, 3 * dx));
+    Tiling<dim> tiling(TileLattice<dim>(dx, 3 * dx, 100'000));
     tiling.sort(places, team);
     // As unsorted() took them: about the origin, with 48 bits.
     std::vector<Vec<dim, double>> taken(points.size());
@@ -97,7 +97,7 @@ TYPED_TEST(TilingIn, OrderDoesNotDependOnThreads) {
   for (const int threads : {1, 2, 5}) {
     Team team(threads);
     Places<dim> places = unsorted<dim>(points);
-    Tiling<dim> tiling(TileLattice<dim>(dx, 3 * dx));
+    Tiling<dim> tiling(TileLattice<dim>(dx, 3 * dx, 100'000));
     tiling.sort(places, team);
     ids.emplace_back(places.id.begin(), places.id.end());
   }
@@ -112,7 +112,7 @@ TYPED_TEST(TilingIn, MemoryFollowsTheParticlesNotTheDomain) {
   for (std::size_t i = 500; i < points.size(); ++i) points[i][0] += dim == 2 ? 1e5 : 5e4;
   Team team(1);
   Places<dim> places = unsorted<dim>(points);
-  Tiling<dim> tiling(TileLattice<dim>(dx, 3 * dx));
+  Tiling<dim> tiling(TileLattice<dim>(dx, 3 * dx, 100'000));
   tiling.sort(places, team);
   EXPECT_LE(tiling.tiles().size(), 4U);
   EXPECT_LE(tiling.slots(), points.size() + tiling.tiles().size() * group_size);
@@ -121,7 +121,7 @@ TYPED_TEST(TilingIn, MemoryFollowsTheParticlesNotTheDomain) {
 TYPED_TEST(TilingIn, RefusesParticlesTooFarAwayAndThoseThatAreNowhere) {
   constexpr int dim = TypeParam::value;
   Team team(2);
-  Tiling<dim> tiling(TileLattice<dim>(dx, 3 * dx));
+  Tiling<dim> tiling(TileLattice<dim>(dx, 3 * dx, 100'000));
   for (const double wrong : {1e9, -1e9, std::nan("")}) {
     auto points = scattered<dim>(100, 0, 1, 5);
     points[50][dim - 1] = wrong;
