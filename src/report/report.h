@@ -16,7 +16,7 @@ struct ReportOptions {
   std::function<void(const std::string&)> message;  // one line for the user
 };
 
-// Figures 4.1, 4.2, 7.2, 7.3 and 8.1 of J. Hinsch, A Simple 2D SPH Fluid Solver, University of Freiburg, 2024, as
+// Figures 4.1, 4.2, 7.2, 7.3, 7.4 and 8.1 of J. Hinsch, A Simple 2D SPH Fluid Solver, University of Freiburg, 2024, as
 // figure_4_1.csv, .svg, .pdf and .png and so on in the folder. Throws OutputError, DeviceError, SimulationError.
 void report_seed_a(const ReportOptions& options);
 

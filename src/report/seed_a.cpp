@@ -27,6 +27,7 @@ void report_seed_a(const ReportOptions& options) {
   tower.duration = std::min(tower.duration, shown);
   write_plot(folder / "figure_7_2", stiffness_figure(tower, checked));
   write_plot(folder / "figure_7_3", time_step_figure(tower, checked));
+  write_plot(folder / "figure_7_4", search_figure(tower, {1000, 2000, 4000, 7000, 14000}, checked));
 
   const Stills stills = stills_figure(shipped_dam_break(), checked);
   write_plot(folder / "figure_8_1", stills.grid);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,10 @@ LinePlot time_step_figure(const Scene& tower, const ReportOptions& options);
 // The largest of 1, 2.5, 5 times a power of ten that divides 1 / samples_per_second and is at most
 // 0.4 h / c0 at this stiffness (Pa).
 double tower_time_step(const Scene& tower, double stiffness);
+
+// Figure 7.4: what finding the neighbours of so many particles costs, with either search, alone and in a step that searches,
+// as the seed's do; weir's own steps mostly keep their lists. Times are of this machine.
+LinePlot search_figure(const Scene& tower, const std::vector<std::int64_t>& particles, const ReportOptions& options);
 
 // Figure 8.1: nine pictures over the whole duration, and what the log knows of these instants.
 struct Stills {

@@ -169,5 +169,18 @@ TEST(SeedA, ShippedScenesAreRightAndOfTheSizeOfTheSource) {
   EXPECT_NEAR(particles, 15000, 0.1 * 15000);  // [Hinsch24 ch. 8]
 }
 
+// Times are the machine's; what stands beside them is not.
+TEST(SeedA, SearchFigureComparesBothSearchesOnTheSameTowers) {
+  const LinePlot plot = search_figure(small_tower(), {200, 800}, silent());
+  std::vector<std::string> labels;
+  for (const Series& series : plot.series) {
+    labels.push_back(series.label);
+    EXPECT_THAT(series.x, testing::ElementsAre(200, 800)) << "10 x 20 and 20 x 40 particles";
+    EXPECT_THAT(series.y, testing::Each(testing::Gt(0)));
+  }
+  EXPECT_THAT(labels, testing::ElementsAre("index sort, search alone", "index sort, step with search",
+                                           "naive, search alone", "naive, step with search"));
+}
+
 }  // namespace
 }  // namespace weir
