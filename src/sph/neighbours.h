@@ -35,8 +35,13 @@ class Neighbours {
   // Makes the lists right that motion may have made wrong, and from time to time sorts the particles anew. Throws
   // std::range_error for particles that have flown too far.
   void update(FluidParticles<Dim>& fluid, const WallParticles<Dim>& walls);
-  // Positions jumped (a reset): sort and list at the next update.
-  void forget() { sorted_ = false; }
+  // Sort and list at the next update, though lists may be right.
+  void expire() { sorted_ = false; }
+  // Positions jumped (a reset), to places that were not sorted.
+  void forget() {
+    sorted_ = false;
+    fluid_tiling_.forget();
+  }
 
   std::int64_t sorts() const { return sorts_; }
   std::int64_t listed_tiles() const { return listed_tiles_; }

@@ -103,26 +103,58 @@ std::vector<std::int32_t> Tiling<Dim>::adjacent(const Tiling& around, Team& team
 }
 
 template <int Dim>
+void Tiling<Dim>::find_runs(const Places<Dim>& places, std::size_t begin, std::size_t end,
+                            const std::uint64_t* key_here, std::vector<Run>& runs) const {
+  std::int32_t expected = -1;  // slot that would continue the last run
+  const auto append = [&](std::uint64_t key, std::size_t slot, std::int32_t count) {
+    const auto here = static_cast<std::int32_t>(slot);
+    if (here != expected || runs.back().key != key) runs.push_back({key, here, 0});
+    runs.back().count += count;
+    expected = here + count;
+  };
+  const auto half = static_cast<float>(0.5 * lattice_.edge());
+  const auto inside = [&](std::size_t slot) {
+    bool is = true;
+    for (int d = 0; d < Dim; ++d) is &= places.x[d][slot] >= -half && places.x[d][slot] < half;
+    return is;
+  };
+  for (std::size_t group = begin; group < end; group += group_size) {
+    if (key_here != nullptr) {
+      // Most groups are where they were. An empty slot is nowhere, and thus outside.
+      bool all = true;
+      for (std::size_t slot = group; slot < group + group_size; ++slot) all &= inside(slot);
+      if (all) {
+        append(*key_here, group, group_size);
+        continue;
+      }
+    }
+    for (std::size_t slot = group; slot < std::min(group + group_size, end); ++slot) {
+      if (places.empty(slot)) continue;
+      const bool stayed = key_here != nullptr && inside(slot);
+      append(stayed ? *key_here : key_of<Dim>(lattice_.tile_at(places.position(slot))), slot, 1);
+    }
+  }
+}
+
+template <int Dim>
 void Tiling<Dim>::sort(Places<Dim>& places, Team& team) {
-  const std::size_t chunks = (places.slots() + chunk_size - 1) / chunk_size;
+  // Sorted before, it is looked at tile by tile: most particles are still in theirs.
+  const bool sorted = !tiles_.empty();
+  const std::size_t chunks = sorted ? tiles_.size() : (places.slots() + chunk_size - 1) / chunk_size;
   std::vector<std::vector<Run>> runs_of_chunks(chunks);
   std::atomic<bool> flown{false};
   team.for_each(chunks, [&](std::size_t chunk) {
-    std::vector<Run>& runs = runs_of_chunks[chunk];
-    const std::size_t end = std::min(places.slots(), (chunk + 1) * chunk_size);
-    std::int32_t expected = -1;  // slot that would continue the last run
-    for (std::size_t slot = chunk * chunk_size; slot < end; ++slot) {
-      if (places.empty(slot)) continue;
-      std::uint64_t key = 0;
-      try {
-        key = key_of<Dim>(lattice_.tile_at(places.position(slot)));
-      } catch (const std::range_error&) {  // must not leave a thread of the team
-        flown = true;
+    try {
+      if (sorted) {
+        const std::uint64_t key = keys_[chunk];
+        find_runs(places, static_cast<std::size_t>(tiles_[chunk].begin), static_cast<std::size_t>(end_of_slots(chunk)),
+                  &key, runs_of_chunks[chunk]);
+      } else {
+        find_runs(places, chunk * chunk_size, std::min(places.slots(), (chunk + 1) * chunk_size), nullptr,
+                  runs_of_chunks[chunk]);
       }
-      const auto here = static_cast<std::int32_t>(slot);
-      if (here != expected || runs.back().key != key) runs.push_back({key, here, 0});
-      ++runs.back().count;
-      expected = here + 1;
+    } catch (const std::range_error&) {  // must not leave a thread of the team
+      flown = true;
     }
   });
   if (flown) {
@@ -219,31 +251,46 @@ void Tiling<Dim>::sort_tile(const Places<Dim>& places, std::size_t tile) {
   const std::int32_t layers = lattice_.layers();
   const std::int32_t cells = lattice_.columns_of_tile() * layers;
   const Vec<Dim, double> center = lattice_.center(coordinates_[tile]);
-  const double half = 0.5 * lattice_.edge();
-  const auto number = [half](double from_center, std::int32_t parts) {
-    const auto part = static_cast<std::int32_t>((from_center + half) / (2 * half) * parts);
+  const auto half = static_cast<float>(0.5 * lattice_.edge());
+  const auto number = [half](float from_center, std::int32_t parts) {
+    const auto part = static_cast<std::int32_t>((from_center + half) / (2 * half) * static_cast<float>(parts));
     return std::clamp(part, 0, parts - 1);
   };
+  // Every second column runs down, every second row of columns back.
+  const auto cell_at = [&](const Vec<Dim>& from_center) {
+    std::int32_t column = number(from_center[0], columns);
+    if constexpr (Dim == 3) {
+      const std::int32_t along = number(from_center[1], columns);
+      column = column * columns + (column % 2 == 0 ? along : columns - 1 - along);
+    }
+    const std::int32_t layer = number(from_center[Dim - 1], layers);
+    return column * layers + (column % 2 == 0 ? layer : layers - 1 - layer);
+  };
+  const Tile slots = tiles_[tile];
   thread_local std::vector<std::int32_t> next_in_cell;
   thread_local std::vector<std::int32_t> cell_of;
   next_in_cell.assign(static_cast<std::size_t>(cells) + 1, 0);
-  cell_of.clear();
+  cell_of.resize(static_cast<std::size_t>(slots.end - slots.begin));
+  const auto is_new = [&](const Run& run) {  // its places count from another tile's centre
+    const Vec<Dim, double>& from = places.center[static_cast<std::size_t>(run.first) / group_size];
+    for (int d = 0; d < Dim; ++d) {
+      if (from[d] != center[d]) return true;
+    }
+    return false;
+  };
+  std::size_t particle = 0;
   for (std::size_t r = first_run_[tile]; r < first_run_[tile + 1]; ++r) {
+    const bool shifted = is_new(runs_[r]);
     for (std::int32_t k = 0; k < runs_[r].count; ++k) {
-      const Vec<Dim, double> from_center = places.position(static_cast<std::size_t>(runs_[r].first + k)) - center;
-      // Every second column runs down, every second row of columns back.
-      std::int32_t column = number(from_center[0], columns);
-      if constexpr (Dim == 3) {
-        const std::int32_t along = number(from_center[1], columns);
-        column = column * columns + (column % 2 == 0 ? along : columns - 1 - along);
-      }
-      const std::int32_t layer = number(from_center[Dim - 1], layers);
-      const std::int32_t cell = column * layers + (column % 2 == 0 ? layer : layers - 1 - layer);
-      cell_of.push_back(cell);
+      const auto slot = static_cast<std::size_t>(runs_[r].first + k);
+      Vec<Dim> from_center{};
+      for (int d = 0; d < Dim; ++d) from_center[d] = places.x[d][slot];
+      if (shifted) from_center = convert<float>(places.position(slot) - center);
+      const std::int32_t cell = cell_at(from_center);
+      cell_of[particle++] = cell;
       ++next_in_cell[static_cast<std::size_t>(cell) + 1];
     }
   }
-  const Tile slots = tiles_[tile];
   next_in_cell[0] = slots.begin;
   for (std::int32_t cell = 0; cell < cells; ++cell) {
     next_in_cell[static_cast<std::size_t>(cell) + 1] += next_in_cell[static_cast<std::size_t>(cell)];
@@ -252,25 +299,35 @@ void Tiling<Dim>::sort_tile(const Places<Dim>& places, std::size_t tile) {
   for (std::int32_t column = 0; column <= lattice_.columns_of_tile(); ++column) {
     starts[column] = next_in_cell[static_cast<std::size_t>(column * layers)];
   }
-  std::size_t particle = 0;
+  thread_local std::vector<std::size_t> shifted_slots;
+  shifted_slots.clear();
+  particle = 0;
   for (std::size_t r = first_run_[tile]; r < first_run_[tile + 1]; ++r) {
+    const bool shifted = is_new(runs_[r]);
     for (std::int32_t k = 0; k < runs_[r].count; ++k) {
-      order_[static_cast<std::size_t>(next_in_cell[static_cast<std::size_t>(cell_of[particle++])]++)] =
-          runs_[r].first + k;
+      const auto to = static_cast<std::size_t>(next_in_cell[static_cast<std::size_t>(cell_of[particle++])]++);
+      order_[to] = runs_[r].first + k;
+      if (shifted) shifted_slots.push_back(to);
     }
   }
 
-  const auto end = static_cast<std::size_t>(end_of_slots(tile));
-  for (std::size_t slot = static_cast<std::size_t>(slots.begin); slot < end; ++slot) {
-    spare_.center[slot / group_size] = center;
-    if (slot < static_cast<std::size_t>(slots.end)) {
-      const auto from = static_cast<std::size_t>(order_[slot]);
-      spare_.place(slot, places.position(from));
-      spare_.id[slot] = places.id[from];
-    } else {
-      spare_.clear(slot);
-      order_[slot] = -1;
+  const auto begin = static_cast<std::size_t>(slots.begin);
+  const auto end = static_cast<std::size_t>(slots.end);
+  const auto end_of_groups = static_cast<std::size_t>(end_of_slots(tile));
+  for (std::size_t slot = begin; slot < end_of_groups; slot += group_size) spare_.center[slot / group_size] = center;
+  for (int d = 0; d < Dim; ++d) {
+    for (std::size_t slot = begin; slot < end; ++slot) {
+      spare_.x[d][slot] = places.x[d][static_cast<std::size_t>(order_[slot])];
+      spare_.rest[d][slot] = places.rest[d][static_cast<std::size_t>(order_[slot])];
     }
+  }
+  for (std::size_t slot = begin; slot < end; ++slot)
+    spare_.id[slot] = places.id[static_cast<std::size_t>(order_[slot])];
+  for (const std::size_t slot : shifted_slots)
+    spare_.place(slot, places.position(static_cast<std::size_t>(order_[slot])));
+  for (std::size_t slot = end; slot < end_of_groups; ++slot) {
+    spare_.clear(slot);
+    order_[slot] = -1;
   }
 }
 

@@ -72,6 +72,8 @@ class Tiling {
 
   // Sorts `places`. order()[k] tells which slot the particle now in slot k came from, -1 for an empty slot.
   void sort(Places<Dim>& places, Team& team);
+  // The next places to sort are not those of the last sort.
+  void forget() { tiles_.clear(); }
 
   const TileLattice<Dim>& lattice() const { return lattice_; }
   std::span<const Tile> tiles() const { return tiles_; }
@@ -105,6 +107,10 @@ class Tiling {
     std::int32_t first;
     std::int32_t count;
   };
+  // Appends the runs among the slots [begin, end), which begin a group. `key_here`: of the tile that these slots were
+  // sorted into, if they were.
+  void find_runs(const Places<Dim>& places, std::size_t begin, std::size_t end, const std::uint64_t* key_here,
+                 std::vector<Run>& runs) const;
   void make_directory(std::vector<std::vector<Run>>& runs_of_chunks, Team& team);
   void sort_tile(const Places<Dim>& places, std::size_t tile);
 

@@ -72,7 +72,7 @@ void Wcsph<Dim>::find_neighbours() {
 
 template <int Dim>
 void Wcsph<Dim>::relist() {
-  neighbours_.forget();
+  neighbours_.expire();
   find_neighbours();
 }
 
