@@ -1,0 +1,96 @@
+// How long a step sound allows. On a lattice at rest a small wave u exp(i k x) of density and velocity obeys, with the
+// summed density and the symmetric pressure force, u'' = -c0^2 |G(k)|^2 u, where G(k) = sum_j V grad W sin(k x_j) is what the
+// sum makes of a gradient. Euler-Cromer keeps an oscillation of frequency omega bounded while omega dt < 2 (von Neumann):
+// dt c0 / h < 2 / (h max |G|).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "core/error.h"
+#include "equations/kernels.h"
+#include "sph/simulation.h"
+
+namespace weir {
+namespace {
+
+// The largest dt c0 / h, for h / dx.
+template <template <int> class Kernel, int Dim>
+double sound_limit(double h) {
+  const auto kernel = kernel_at<Kernel, Dim, double>(h);
+  const int reach = static_cast<int>(std::ceil(2 * h));
+  const int waves = Dim == 2 ? 48 : 16;
+  double largest = 0;
+  const auto gradient = [&](const Vec<3, double>& k) {
+    Vec<3, double> g{};
+    for (int x = -reach; x <= reach; ++x)
+      for (int y = -reach; y <= reach; ++y)
+        for (int z = Dim == 3 ? -reach : 0; z <= (Dim == 3 ? reach : 0); ++z) {
+          const Vec<3, double> at{double(x), double(y), double(z)};
+          const double r = std::sqrt(dot(at, at));
+          if (r > 0) g += (kernel.derivative_over_r(r) * std::sin(dot(k, at))) * at;
+        }
+    return std::sqrt(dot(g, g));
+  };
+  for (int a = 0; a <= waves; ++a)
+    for (int b = 0; b <= waves; ++b)
+      for (int c = 0; c <= (Dim == 3 ? waves : 0); ++c)
+        largest = std::max(largest, gradient({pi * a / waves, pi * b / waves, pi * c / waves}));
+  return 2 / (h * largest);
+}
+
+TEST(Stability, TheDefaultStepLeavesSoundTwiceTheRoomItNeeds) {
+  double least = 10;
+  for (const double h : {1.0, 1.3, 2.0}) {
+    least = std::min({least, sound_limit<CubicSpline, 2>(h), sound_limit<WendlandC2, 2>(h),
+                      sound_limit<CubicSpline, 3>(h), sound_limit<WendlandC2, 3>(h)});
+  }
+  // Compressed by s, the fluid's sound is (1 + s)^3 faster: half the limit is right up to a quarter more density.
+  EXPECT_GE(least, 2 * AdaptiveStep{}.acoustic);
+  EXPECT_LT(least, 2.2 * AdaptiveStep{}.acoustic);
+}
+
+// A closed tank full of water, whose halves run into each other at a thousandth of the sound speed. Returns how often the
+// kinetic energy at the start the largest of the run is.
+double energy_growth(double dt_c0_per_h) {
+  Scene scene;
+  scene.name = "waves";
+  scene.duration = 10;
+  scene.gravity = Vec3(0);
+  scene.particle_spacing = 0.05;
+  const double c0 = 20;
+  scene.fluid.volumes = {{.shape = Box{Vec3(0), Vec3(0.5, 1, 0)}, .velocity = Vec3(0.001 * c0, 0, 0)},
+                         {.shape = Box{Vec3(0.5, 0, 0), Vec3(1, 1, 0)}, .velocity = Vec3(-0.001 * c0, 0, 0)}};
+  scene.walls = {{.shape = Tank{Vec3(0), Vec3(1, 1, 0), {}}, .layers = 0, .holes = {}}};
+  // Enough for mirroring walls, which feed energy, and too little to matter to the limit.
+  scene.fluid.viscosity = {ViscosityModel::morris, 0.03 * scene.particle_spacing * c0};
+  scene.solver.compressibility = SoundSpeed{c0};
+  scene.solver.negative_pressure = NegativePressure::keep;
+  scene.solver.time_step = FixedStep{dt_c0_per_h * scene.particle_spacing / c0};
+  scene.render.fps = 1;
+  const auto simulation = make_simulation(scene, 1);
+  const double start = simulation->diagnostics().kinetic_energy;
+  double most = 0;
+  try {
+    for (int step = 0; step < 150; ++step) {
+      simulation->step();
+      const double energy = simulation->diagnostics().kinetic_energy;
+      most = std::isfinite(energy) ? std::max(most, energy) : HUGE_VAL;
+    }
+  } catch (const SimulationError&) {
+    return HUGE_VAL;
+  }
+  return most / start;
+}
+
+TEST(Stability, TheSolverTurnsUnstableWhereTheoryHasIt) {
+  const double limit = sound_limit<CubicSpline, 2>(1);
+  EXPECT_NEAR(limit, 1.89, 0.005);
+  EXPECT_LE(energy_growth(0.5 * limit), 1);
+  EXPECT_LE(energy_growth(0.9 * limit), 1);
+  EXPECT_GT(energy_growth(1.1 * limit), 10);
+}
+
+}  // namespace
+}  // namespace weir
