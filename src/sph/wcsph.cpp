@@ -9,7 +9,7 @@ namespace weir {
 namespace {
 
 // How far lists reach beyond the support, in particle spacings: wider lists live longer but hold more pairs to reject.
-constexpr double skin_per_dx = 0.3;
+constexpr double skin_per_dx = 0.4;
 
 template <int Dim>
 std::vector<Vec<Dim, double>> points(const std::vector<Vec3>& positions) {

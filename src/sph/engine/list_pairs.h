@@ -44,6 +44,7 @@ WEIR_INLINE void append_candidates(const ListInput<Dim>& in, const TilesView<Dim
   // Places were rounded when they were sorted into columns.
   const float reach = in.reach + 1e-5F * in.edge;
   const float half = 0.5F * in.edge;
+  const float columns_per_length = static_cast<float>(in.columns) / in.edge;
   std::int32_t low[Dim];
   std::int32_t high[Dim];
   for (int d = 0; d < Dim; ++d) {
@@ -56,7 +57,7 @@ WEIR_INLINE void append_candidates(const ListInput<Dim>& in, const TilesView<Dim
     }
     if (low_then > half || high_then < -half) return;
     const auto column = [&](float place) {
-      const float number = (place + half) / in.edge * static_cast<float>(in.columns);
+      const float number = (place + half) * columns_per_length;
       const auto whole = static_cast<std::int32_t>(number);
       return number < 0 ? 0 : (whole >= in.columns ? in.columns - 1 : whole);
     };
@@ -84,15 +85,30 @@ WEIR_INLINE void append_candidates(const ListInput<Dim>& in, const TilesView<Dim
   }
 }
 
-// Some particle of the row is within reach of some particle of the cluster at `slot`.
+// Writes those among [candidate, end) to `out` of which some particle is within reach of some particle of the row; returns
+// where the next goes. All that it reads are copies, which no store could change: they stay in registers.
 template <int Dim>
-WEIR_INLINE bool near_row(const Lanes* row, const TilesView<Dim>& set, std::int32_t slot, Lanes reach_squared) {
-  Lanes square;
-  for (int d = 0; d < Dim; ++d) {
-    const Lanes x_ij = row[d] - load_columns(set.x[d] + slot);
-    square = multiply_add(x_ij, x_ij, square);
+WEIR_INLINE std::int32_t* write_near(const Vec<Dim, Lanes> row, const Vec<Dim, const float*> x, float reach,
+                                     const std::int32_t* candidate, const std::int32_t* end, std::int32_t* out) {
+  const Lanes reach_squared = reach * reach;
+  for (; candidate != end; ++candidate) {
+    const std::int32_t slot = *candidate;
+    Lanes square;
+    for (int d = 0; d < Dim; ++d) {
+      const Lanes x_ij = row[d] - load_columns(x[d] + slot);
+      square = multiply_add(x_ij, x_ij, square);
+    }
+    *out = slot;
+    out += any(less(square, reach_squared)) ? 1 : 0;
   }
-  return any(less(square, reach_squared));
+  return out;
+}
+
+template <int Dim>
+WEIR_INLINE Vec<Dim, const float*> places_of(const TilesView<Dim>& set) {
+  Vec<Dim, const float*> x;
+  for (int d = 0; d < Dim; ++d) x[d] = set.x[d];
+  return x;
 }
 
 // Candidates of a group in one tile, as the code of that tile and a range of the scratch buffer.
@@ -105,20 +121,16 @@ struct Segment {
 
 // Appends for one row the segments of `candidates` that hold anything.
 template <int Dim>
-WEIR_INLINE void append_segments(const ListInput<Dim>& in, const TilesView<Dim>& set, const Lanes* row,
+WEIR_INLINE void append_segments(const ListInput<Dim>& in, const TilesView<Dim>& set, const Vec<Dim, Lanes>& row,
                                  const Segment* segments, int count, const std::int32_t* candidates, IntBuffer& list) {
-  const Lanes reach_squared = in.reach * in.reach;
   for (int s = 0; s < count; ++s) {
     const Segment& segment = segments[s];
     list.reserve_more(static_cast<std::size_t>(segment.end - segment.begin + 2));
-    Lanes shifted[Dim];
+    Vec<Dim, Lanes> shifted;
     for (int d = 0; d < Dim; ++d) shifted[d] = row[d] - Lanes(in.edge * static_cast<float>(segment.offset[d]));
     std::int32_t* const header = list.data() + list.size();
-    std::int32_t* out = header + 1;
-    for (std::int32_t c = segment.begin; c < segment.end; ++c) {
-      *out = candidates[c];
-      out += near_row(shifted, set, candidates[c], reach_squared) ? 1 : 0;
-    }
+    const std::int32_t* const out = write_near<Dim>(shifted, places_of(set), in.reach, candidates + segment.begin,
+                                                    candidates + segment.end, header + 1);
     const auto found = static_cast<std::int32_t>(out - header - 1);
     if (found == 0) continue;
     *header = found << segment_code_bits | segment.code;
@@ -199,7 +211,7 @@ class TileLister {
   }
 
   void list_row(std::int32_t first_slot) {
-    Lanes row[Dim];
+    Vec<Dim, Lanes> row;
     load_row(first_slot, row);
     append_own(first_slot, row);
     append_segments(in_, in_.fluid, row, fluid_, fluid_segments_, scratch_.data(), fluid_list_);
@@ -213,7 +225,7 @@ class TileLister {
 
   // Against every cluster there is, in the same order.
   void list_row_naively(std::int32_t first_slot) {
-    Lanes row[Dim];
+    Vec<Dim, Lanes> row;
     load_row(first_slot, row);
     scratch_.set_size(0);
     take_all(in_.fluid.tiles[tile_]);
@@ -231,7 +243,7 @@ class TileLister {
     for (std::int32_t slot = slots.begin; slot < slots.end; slot += cluster) append(scratch_, slot);
   }
 
-  void append_all(const TilesView<Dim>& set, const Lanes* row, bool own_tile, IntBuffer& list) {
+  void append_all(const TilesView<Dim>& set, const Vec<Dim, Lanes>& row, bool own_tile, IntBuffer& list) {
     for (std::int32_t tile = 0; tile < set.tile_count; ++tile) {
       Segment segment{};
       bool beside = false;
@@ -249,7 +261,7 @@ class TileLister {
     }
   }
 
-  void load_row(std::int32_t first_slot, Lanes* row) const {
+  void load_row(std::int32_t first_slot, Vec<Dim, Lanes>& row) const {
     // Empty slots are near nothing, not even each other.
     const Lanes nobody = __builtin_nanf("");
     for (int d = 0; d < Dim; ++d) {
@@ -259,16 +271,13 @@ class TileLister {
   }
 
   // Clusters of the own tile after the row's own, which needs no listing.
-  void append_own(std::int32_t first_slot, const Lanes* row) {
-    const Lanes reach_squared = in_.reach * in_.reach;
+  void append_own(std::int32_t first_slot, const Vec<Dim, Lanes>& row) {
     fluid_list_.reserve_more(static_cast<std::size_t>(own_end_ + 2));
     std::int32_t* const count = fluid_list_.data() + fluid_list_.size();
-    std::int32_t* out = count + 1;
-    const std::int32_t* candidates = scratch_.data();
-    for (std::int32_t c = 0; c < own_end_; ++c) {
-      *out = candidates[c];
-      out += candidates[c] > first_slot && near_row(row, in_.fluid, candidates[c], reach_squared) ? 1 : 0;
-    }
+    const std::int32_t* candidate = scratch_.data();
+    const std::int32_t* const end = candidate + own_end_;
+    while (candidate != end && *candidate <= first_slot) ++candidate;  // they ascend
+    const std::int32_t* const out = write_near<Dim>(row, places_of(in_.fluid), in_.reach, candidate, end, count + 1);
     *count = static_cast<std::int32_t>(out - count - 1);
     fluid_list_.set_size(static_cast<std::size_t>(out - fluid_list_.data()));
   }
