@@ -9,7 +9,8 @@ namespace weir {
 namespace {
 
 // How far lists reach beyond the support, in particle spacings: wider lists live longer but hold more pairs to reject.
-constexpr double skin_per_dx = 0.4;
+template <int Dim>
+constexpr double skin_per_dx = Dim == 2 ? 0.4 : 0.3;
 
 template <int Dim>
 std::vector<Vec<Dim, double>> points(const std::vector<Vec3>& positions) {
@@ -42,7 +43,7 @@ Wcsph<Dim>::Wcsph(const Scene& scene, const Sampling& sampling, Team& team, Inst
       walls_(unsorted<Dim>(points<Dim>(sampling.wall_positions))),
       neighbours_({.particle_spacing = scene.particle_spacing,
                    .support_radius = support_radius_,
-                   .skin = skin_per_dx * scene.particle_spacing,
+                   .skin = skin_per_dx<Dim> * scene.particle_spacing,
                    .particles = sampling.fluid_positions.size(),
                    .search = scene.solver.neighbour_search,
                    .instruction_set = instruction_set},
