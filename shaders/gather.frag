@@ -2,14 +2,14 @@
 // Each fragment shades a block of 4 x 2 pixels: it looks up the discs that touch it in the bins and mixes them over the
 // background. Blocks, because looking up costs as much as shading; 4 x 2, because a block holds whole samples of chroma.
 //
-// BALLS: lit balls in perspective instead of discs. DOTS: discs too small to be seen round, spread over as few pixels as
-// keep area and centre. OVERLAY: a layer on top. YUV: out comes Y'CbCr of a movie, otherwise RGBA.
+// BALLS: lit balls in perspective instead of discs. DOTS: discs that the processor has added up to pixels. OVERLAY: a layer
+// on top. YUV: out comes Y'CbCr of a movie, otherwise RGBA.
 //
-// Pixels do not depend on the order of the discs in a bin: what decides overlaps are minima, and dots are summed in whole
-// 1/1024, which floating point adds exactly.
+// Pixels do not depend on the order of the discs in a bin: what decides overlaps are minima, and coverage is summed in
+// whole 1/1024, which floating point adds exactly.
 
-uniform usamplerBuffer bins;      // for each the first disc and the one past the last; past before first: nothing to do
-uniform usamplerBuffer discs;     // see bins.h, Entry
+uniform usamplerBuffer bins;      // for each the first entry and the one past the last; past before first: nothing to do
+uniform usamplerBuffer entries;   // discs as in disc_painter.h, or DOTS as in dots.h
 uniform usampler2D under_even;    // even rows of the background, 4 pixels a texel, colours multiplied with alpha
 uniform usampler2D under_odd;
 uniform usampler2D over_even;     // of the layer on top, colours not multiplied
@@ -19,8 +19,6 @@ uniform int bin_columns;
 uniform float radius;             // pixels; of BALLS, metres
 uniform float focal;              // of BALLS, pixels per metre at one metre of depth
 uniform float opacity;            // of all discs
-uniform float dot_area;           // of DOTS, pixels
-uniform float dot_spread;         // of DOTS, 0 .. 1: from the neighbouring pixels to those beyond
 uniform vec3 background;          // 0 .. 255, behind all that is translucent in a movie
 uniform bool straight;            // RGBA is not multiplied with alpha
 
@@ -62,12 +60,22 @@ float light(vec3 normal) {
 }
 #endif
 
-// Of a dot's area, the share of a pixel so far away along one axis. Both parts have the sum 1 over all pixels and their
-// centre at 0, wherever the dot lies between pixels.
-float spread(float off) {
-  off = abs(off);
-  return mix(max(1.0 - off, 0.0), 0.5 * clamp(1.5 - off, 0.0, 1.0), dot_spread);
+uvec2 bin_of(ivec2 block) {
+  ivec2 bin = block >> bin_shift;
+  return texelFetch(bins, bin.y * bin_columns + bin.x).xy;
 }
+
+#ifdef DOTS
+// The upper and the lower row of a block.
+void fetch_dots(ivec2 block, out uvec4 even, out uvec4 odd) {
+  uvec2 range = bin_of(block);
+  ivec2 within = block & (1 << bin_shift) - 1;
+  int at = int(range.x) + 2 * ((within.y << bin_shift) + within.x);
+  bool filled = range.x < range.y;
+  even = filled ? texelFetch(entries, at) : uvec4(0u);
+  odd = filled ? texelFetch(entries, at + 1) : uvec4(0u);
+}
+#endif
 
 // The pixels of a block, as the textures of the background hold them; `left` is the block to its left.
 void unpack_rows(uvec4 left_even, uvec4 left_odd, uvec4 even, uvec4 odd, out vec4 pixels[count]) {
@@ -81,6 +89,10 @@ void unpack_rows(uvec4 left_even, uvec4 left_odd, uvec4 even, uvec4 odd, out vec
     texels[columns + c - first_column] = odd[c];
   }
   for (int k = 0; k < count; ++k) pixels[k] = vec4(unpack_rgb(texels[k]), float(texels[k] >> 24) / 255.0);
+}
+
+void lay_over(inout vec4 pixels[count], vec4 top[count]) {
+  for (int k = 0; k < count; ++k) pixels[k] = mix(pixels[k], vec4(top[k].rgb, 1.0), top[k].a);
 }
 
 uint pack(vec4 v) {
@@ -100,20 +112,17 @@ vec2 chroma_of(vec3 rgb) {
 
 void main() {
   ivec2 block = ivec2(gl_FragCoord.xy);
-  ivec2 bin = block >> bin_shift;
-  uvec2 range = texelFetch(bins, bin.y * bin_columns + bin.x).xy;
+  uvec2 range = bin_of(block);
 #ifndef OVERLAY  // which may have changed
   if (range.x > range.y) discard;
 #endif
 
+#ifndef DOTS
   float x[columns];
   for (int c = 0; c < columns; ++c) x[c] = float(max(4 * block.x + c + first_column, 0)) + 0.5;
   float y[2] = float[2](float(2 * block.y) + 0.5, float(2 * block.y) + 1.5);
 
   float covered[count];
-#ifdef DOTS
-  vec3 sum[count];
-#else
   // For BALLS, of the two nearest that touch the pixel, the depth of the surface, m, and the colour. Else of the two discs
   // with the nearest centres, which cover all of a pixel that discs cover: the squared distance, whose lowest 8 bits are
   // the disc's place in the colour map, so that among equals the colour decides; and which disc it is. Only those two are
@@ -127,22 +136,17 @@ void main() {
   float second_light[count];
   float nearest_share[count];
 #endif
-#endif
   for (int k = 0; k < count; ++k) {
     covered[k] = 0.0;
-#ifdef DOTS
-    sum[k] = vec3(0.0);
-#else
     nearest[k] = second[k] = far;
     nearest_color[k] = second_color[k] = 0u;
 #ifdef BALLS
     nearest_light[k] = second_light[k] = nearest_share[k] = 0.0;
 #endif
-#endif
   }
 
   for (uint n = range.x; n < range.y; ++n) {
-    uvec4 entry = texelFetch(discs, int(n));
+    uvec4 entry = texelFetch(entries, int(n));
     float center_x = uintBitsToFloat(entry.x);
     float center_y = uintBitsToFloat(entry.y);
     uint color = entry.z;
@@ -152,19 +156,7 @@ void main() {
     float seen = max(ball, 1.0);          // a smaller one turns too sharply within a pixel for the chords
     float part = ball * ball / (seen * seen);
 #endif
-#ifdef DOTS
-    vec3 rgb = unpack_rgb(color);
-    float wide[columns];
-    for (int c = 0; c < columns; ++c) wide[c] = spread(x[c] - center_x);
-    for (int r = 0; r < 2; ++r) {
-      float high = full * dot_area * spread(y[r] - center_y);
-      for (int c = 0; c < columns; ++c) {
-        float share = floor(high * wide[c] + 0.5);
-        covered[columns * r + c] += share;
-        sum[columns * r + c] += share * rgb;
-      }
-    }
-#elif defined BALLS
+#ifdef BALLS
     for (int r = 0; r < 2; ++r) {
       for (int c = 0; c < columns; ++c) {
         int k = columns * r + c;
@@ -207,22 +199,31 @@ void main() {
     }
 #endif
   }
+#endif
 
   ivec2 beside = ivec2(max(block.x - 1, 0), block.y);
   vec4 pixels[count];
   unpack_rows(texelFetch(under_even, beside, 0), texelFetch(under_odd, beside, 0), texelFetch(under_even, block, 0),
               texelFetch(under_odd, block, 0), pixels);
+#if defined DOTS || defined OVERLAY
+  vec4 top[count];
+#endif
+#ifdef DOTS
+  uvec4 left_even, left_odd, even, odd;
+  fetch_dots(beside, left_even, left_odd);
+  fetch_dots(block, even, odd);
+  unpack_rows(left_even, left_odd, even, odd, top);
+  lay_over(pixels, top);
+#else
   for (int k = 0; k < count; ++k) {
     float alpha = min(covered[k] / full, 1.0);
-#ifdef DOTS
-    vec3 rgb = sum[k] / max(covered[k], 1.0);
-#elif defined BALLS
+#ifdef BALLS
     // What the nearest leaves of the covered part is the second's; those behind it look alike.
     float front = min(nearest_share[k] / max(min(covered[k], full), 1.0), 1.0);
     vec3 rgb = mix(second_light[k] * unpack_rgb(second_color[k]), nearest_light[k] * unpack_rgb(nearest_color[k]), front);
 #else
-    uvec4 one = texelFetch(discs, int(nearest_color[k]));
-    uvec4 two = texelFetch(discs, int(second_color[k]));
+    uvec4 one = texelFetch(entries, int(nearest_color[k]));
+    uvec4 two = texelFetch(entries, int(second_color[k]));
     vec2 at = vec2(x[k % columns], y[k / columns]);
     float by_one = nearest[k] < far ? coverage(abs(at - uintBitsToFloat(one.xy)), radius) : 0.0;
     float by_two = second[k] < far ? coverage(abs(at - uintBitsToFloat(two.xy)), radius) : 0.0;
@@ -234,12 +235,12 @@ void main() {
 #endif
     pixels[k] = mix(pixels[k], vec4(rgb, 1.0), opacity * alpha);
   }
+#endif
 
 #ifdef OVERLAY
-  vec4 top[count];
   unpack_rows(texelFetch(over_even, beside, 0), texelFetch(over_odd, beside, 0), texelFetch(over_even, block, 0),
               texelFetch(over_odd, block, 0), top);
-  for (int k = 0; k < count; ++k) pixels[k] = mix(pixels[k], vec4(top[k].rgb, 1.0), top[k].a);
+  lay_over(pixels, top);
 #endif
 
 #ifdef YUV

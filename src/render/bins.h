@@ -14,6 +14,11 @@ namespace weir {
 inline constexpr int block_width = 4;  // pixels
 inline constexpr int block_height = 2;
 
+// The device is told square by square where there is anything to draw: 2^square_shift blocks wide and high.
+inline constexpr int square_shift = 3;
+inline constexpr int square_width = block_width << square_shift;  // pixels
+inline constexpr int square_height = block_height << square_shift;
+
 class Bins {
  public:
   // The first entry and the one past the last. Past before first: nothing to do, the target shows it already.
@@ -34,6 +39,8 @@ class Bins {
   // across or down. Finite values, and each must touch the picture.
   template <class Disc>
   void count(std::span<const Disc> discs);
+  // Counts so many entries of one bin.
+  void count(std::size_t bin, std::uint32_t entries) { next_[bin] += entries; }
 
   // After all are counted: the number of entries. A bin that is neither filled nor `stale` is marked as nothing to do;
   // then `stale` says which are filled.

@@ -2,10 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-
-#include <numbers>
-
 #include "render/assets.h"
 #include "render/unroll.h"
 
@@ -13,14 +9,10 @@ namespace weir {
 
 namespace {
 
-// Up to this radius, pixels, a disc is spread as a dot: the largest of which no pixel has more than its own area.
-constexpr double largest_dot = std::numbers::inv_sqrtpi * 2;
-
 // A ball smaller than this, pixels, is drawn with this radius and fainter; as in gather.frag.
 constexpr double least_ball = 1;
 
-// Blocks: what is drawn is covered with squares of this side.
-constexpr int square_size = 8;
+constexpr int square_size = 1 << square_shift;  // blocks
 
 // Bins grow with the discs, so that a disc has about ten entries at any zoom.
 int bin_shift(double reach) {
@@ -34,11 +26,6 @@ void set(GLuint program, const char* name, int a) {
 }
 void set(GLuint program, const char* name, double a) {
   glProgramUniform1f(program, glGetUniformLocation(program, name), static_cast<float>(a));
-}
-
-template <class Item>
-void upload(GLuint buffer, std::span<const Item> items) {
-  glNamedBufferData(buffer, static_cast<GLsizeiptr>(items.size_bytes()), items.data(), GL_STREAM_DRAW);
 }
 
 // A colour and its place in the map, as in Entry.
@@ -57,33 +44,33 @@ DiscPainter::DiscPainter(int width, int height)
     : width_(width),
       height_(height),
       bins_(width, height),
-      entry_texture_(make_buffer_texture(GL_RGBA32UI, entry_buffer_.id())),
-      range_texture_(make_buffer_texture(GL_RG32UI, range_buffer_.id())),
-      square_texture_(make_buffer_texture(GL_R32UI, square_buffer_.id())) {}
+      dots_(width, height),
+      entries_(GL_RGBA32UI),
+      ranges_(GL_RG32UI),
+      square_texels_(GL_R32UI) {}
 
 void DiscPainter::project_flat(std::span<const glm::vec4> particles, const Projection& projection,
                                const DiscStyle& style) {
   radius_ = projection.focal * style.radius;
-  dots_ = radius_ < largest_dot;
-  // A dot of less than a pixel falls on the 2 x 2 pixels around it; a larger one is spread so far that no pixel has more
-  // than its own area of it.
-  const double side = std::sqrt(std::numbers::pi) * radius_;
-  dot_spread_ = std::max(0.0, 2 - 2 / side);
-  const auto reach = static_cast<float>(!dots_ ? radius_ : dot_spread_ > 0 ? 1.0 : 0.5);
-  const auto scale = static_cast<float>(projection.focal);
-  const glm::vec2 origin(projection.principal.x - projection.focal * projection.eye.x,
-                         projection.principal.y + projection.focal * projection.eye.y);
-  const auto low = static_cast<float>(style.range[0]);
+  const auto meters = static_cast<float>(projection.focal);
   const float steps = steps_per_unit(style);
-  const Colormap colors = packed(style.colors);
+  const glm::vec4 scale(meters, -meters, 0, steps);
+  const glm::vec4 offset(projection.principal.x - projection.focal * projection.eye.x,
+                         projection.principal.y + projection.focal * projection.eye.y, 0, -style.range[0] * steps);
+  are_dots_ = radius_ < largest_dot;
+  if (are_dots_) {
+    dots_.add(particles, scale, offset, radius_, style.colors);
+    return;
+  }
+  const auto reach = static_cast<float>(radius_);
   const glm::vec2 limit(static_cast<float>(width_) + reach, static_cast<float>(height_) + reach);
+  const Colormap colors = packed(style.colors);
   for (const glm::vec4& particle : particles) {
-    const float x = origin.x + scale * particle.x;
-    const float y = origin.y - scale * particle.y;
-    const float step = std::clamp((particle.w - low) * steps, 0.0f, 255.0f);
+    const glm::vec4 at = particle * scale + offset;
+    const float place = std::clamp(at.w, 0.0f, 255.0f);
     // Written so that what is not a number is left out.
-    if (!(x > -reach && x < limit.x && y > -reach && y < limit.y && step >= 0)) continue;
-    discs_.push_back({x, y, reach, 0, colors[static_cast<std::size_t>(step + 0.5f)]});
+    if (at.x > -reach && at.x < limit.x && at.y > -reach && at.y < limit.y && place >= 0)
+      discs_.push_back({at.x, at.y, reach, 0, colors[static_cast<std::size_t>(place + 0.5f)]});
   }
   bins_.reset(bin_shift(radius_));
 }
@@ -92,7 +79,7 @@ void DiscPainter::project_deep(std::span<const glm::vec4> particles, const Proje
                                const DiscStyle& style) {
   radius_ = style.radius;
   focal_ = projection.focal;
-  dots_ = false;
+  are_dots_ = false;
   const auto low = static_cast<float>(style.range[0]);
   const float steps = steps_per_unit(style);
   const Colormap colors = packed(style.colors);
@@ -121,18 +108,21 @@ void DiscPainter::arrange(std::span<const glm::vec4> particles, const Projection
   else
     project_flat(particles, projection, style);
   const std::span<const Disc> discs(discs_);
-  bins_.count(discs);
+  if (are_dots_)
+    dots_.count(bins_);
+  else
+    bins_.count(discs);
   const std::size_t entries = bins_.close(stale);
-  upload(range_buffer_.id(), bins_.ranges());
+  ranges_.write(bins_.ranges());
   list_squares();
-  // One entry at least: a buffer of nothing cannot be mapped.
-  const auto bytes = static_cast<GLsizeiptr>(std::max<std::size_t>(entries, 1) * sizeof(Entry));
-  glNamedBufferData(entry_buffer_.id(), bytes, nullptr, GL_STREAM_DRAW);
-  auto* to = static_cast<Entry*>(
-      glMapNamedBufferRange(entry_buffer_.id(), 0, bytes, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT));
-  if (to == nullptr) check_drawn();
-  bins_.scatter(discs, to, [](const Disc& disc) { return Entry{disc.x, disc.y, disc.color, disc.depth}; });
-  glUnmapNamedBuffer(entry_buffer_.id());
+  void* to = entries_.map(entries * sizeof(Entry));
+  if (are_dots_)
+    dots_.take(bins_, opacity_, static_cast<Dots::Texel*>(to));
+  else
+    bins_.scatter(discs, static_cast<Entry*>(to), [](const Disc& disc) {
+      return Entry{disc.x, disc.y, disc.color, disc.depth};
+    });
+  entries_.unmap();
 }
 
 void DiscPainter::list_squares() {
@@ -143,7 +133,7 @@ void DiscPainter::list_squares() {
     for (int column = 0; column < columns; ++column)
       if (bins_.any_to_do(column * square_size, row * square_size, square_size))
         squares_.push_back(static_cast<std::uint32_t>(row) << 16 | static_cast<std::uint32_t>(column));
-  upload(square_buffer_.id(), std::span<const std::uint32_t>(squares_));
+  square_texels_.write(std::span<const std::uint32_t>(squares_));
 }
 
 const GlProgram& DiscPainter::program(bool movie, bool overlay) {
@@ -151,7 +141,7 @@ const GlProgram& DiscPainter::program(bool movie, bool overlay) {
   if (movie) defines += "#define YUV\n";
   if (overlay) defines += "#define OVERLAY\n";
   if (balls_) defines += "#define BALLS\n";
-  if (dots_) defines += "#define DOTS\n";
+  if (are_dots_) defines += "#define DOTS\n";
   const auto found = programs_.find(defines);
   if (found != programs_.end()) return found->second;
   const int columns = movie ? 5 : 4;  // as in gather.frag
@@ -159,7 +149,7 @@ const GlProgram& DiscPainter::program(bool movie, bool overlay) {
       unrolled(std::string(assets::gather_frag()), {{"columns", columns}, {"count", 2 * columns}});
   GlProgram made = build_program(std::string(assets::gather_vert()), fragment, defines);
   int unit = 0;
-  for (const char* name : {"bins", "discs", "squares", "under_even", "under_odd", "over_even", "over_odd"})
+  for (const char* name : {"bins", "entries", "squares", "under_even", "under_odd", "over_even", "over_odd"})
     set(made.id(), name, unit++);
   return programs_.emplace(defines, std::move(made)).first->second;
 }
@@ -171,15 +161,13 @@ void DiscPainter::prepare(GLuint framebuffer, const DiscOutput& output, const Co
   set(id, "radius", radius_);
   set(id, "focal", focal_);
   set(id, "opacity", opacity_);
-  set(id, "dot_area", std::numbers::pi * radius_ * radius_);
-  set(id, "dot_spread", dot_spread_);
   set(id, "straight", output.straight ? 1 : 0);
   glProgramUniform3f(id, glGetUniformLocation(id, "background"), output.background.r, output.background.g,
                      output.background.b);
   glUseProgram(id);
-  glBindTextureUnit(0, range_texture_.id());
-  glBindTextureUnit(1, entry_texture_.id());
-  glBindTextureUnit(2, square_texture_.id());
+  glBindTextureUnit(0, ranges_.texture());
+  glBindTextureUnit(1, entries_.texture());
+  glBindTextureUnit(2, square_texels_.texture());
   // Whole squares, or the middle of one at the edge would be outside, and a point there is not drawn.
   const int columns = across(width_, block_width * square_size) * square_size;
   const int rows = across(height_, block_height * square_size) * square_size;

@@ -1,4 +1,6 @@
 // Draws particles of one size as discs (2D) or lit balls (perspective), over a background, into a colour or a movie target.
+// The processor projects them and lists for each part of the picture those that touch it; the device shades. Discs smaller
+// than a pixel are all the processor's.
 //
 // Of the ways measured on the software renderer (points, quads, gathering by pixels or by blocks of pixels) this, by
 // blocks, is the fastest from a few thousand particles on; a graphics card draws it as well as any.
@@ -14,8 +16,10 @@
 #include "render/bins.h"
 #include "render/block_target.h"
 #include "render/colormap.h"
+#include "render/dots.h"
 #include "render/gl_objects.h"
 #include "render/projection.h"
+#include "render/stream_buffer.h"
 
 namespace weir {
 
@@ -76,15 +80,12 @@ class DiscPainter {
   double focal_ = 1;   // of balls
   double opacity_ = 1;
   bool balls_ = false;
-  bool dots_ = false;
-  double dot_spread_ = 0;
-  GlBuffer entry_buffer_;
-  GlTexture entry_texture_;
-  GlBuffer range_buffer_;
-  GlTexture range_texture_;
+  bool are_dots_ = false;
+  Dots dots_;
+  StreamBuffer entries_;                // Entry, or Dots::Texel
+  StreamBuffer ranges_;                 // Bins::Range
   std::vector<std::uint32_t> squares_;  // as in gather.vert: what the bins leave to do
-  GlBuffer square_buffer_;
-  GlTexture square_texture_;
+  StreamBuffer square_texels_;
   GlVertexArray no_vertices_;
   std::map<std::string, GlProgram> programs_;
 };
