@@ -16,7 +16,7 @@ constexpr int square_size = 1 << square_shift;  // blocks
 
 // Bins grow with the discs, so that a disc has about ten entries at any zoom.
 int bin_shift(double reach) {
-  return std::clamp(static_cast<int>(std::floor(std::log2(std::max(reach, 1.0) / 3))), 0, 12);
+  return std::clamp(static_cast<int>(std::floor(std::log2(std::max(reach, 1.0) / 1.2))), 0, 12);
 }
 
 int across(int pixels, int unit) { return (pixels + unit - 1) / unit; }
@@ -149,16 +149,18 @@ const GlProgram& DiscPainter::program(bool movie, bool overlay) {
       unrolled(std::string(assets::gather_frag()), {{"columns", columns}, {"count", 2 * columns}});
   GlProgram made = build_program(std::string(assets::gather_vert()), fragment, defines);
   int unit = 0;
-  for (const char* name : {"bins", "entries", "squares", "under_even", "under_odd", "over_even", "over_odd"})
+  for (const char* name : {"bins", "entries", "squares", "under", "over_even", "over_odd"})
     set(made.id(), name, unit++);
   return programs_.emplace(defines, std::move(made)).first->second;
 }
 
-void DiscPainter::prepare(GLuint framebuffer, const DiscOutput& output, const ColorTarget& background, bool overlay) {
+void DiscPainter::prepare(GLuint framebuffer, const DiscOutput& output, const Backdrop& background, bool overlay) {
   const GLuint id = program(output.movie, overlay).id();
   set(id, "bin_shift", bins_.shift());
   set(id, "bin_columns", bins_.columns());
   set(id, "radius", radius_);
+  // The smooth step's spread about its middle, (4/3)^2 / 20, adds as much to the area as this takes away.
+  set(id, "edge", std::sqrt(std::max(radius_ * radius_ - 4.0 / 45, 0.0)));
   set(id, "focal", focal_);
   set(id, "opacity", opacity_);
   set(id, "straight", output.straight ? 1 : 0);
@@ -173,25 +175,25 @@ void DiscPainter::prepare(GLuint framebuffer, const DiscOutput& output, const Co
   const int rows = across(height_, block_height * square_size) * square_size;
   glProgramUniform2i(id, glGetUniformLocation(id, "blocks"), columns, rows);
   set(id, "square_size", square_size);
-  glBindTextureUnit(3, background.even_rows());
-  glBindTextureUnit(4, background.odd_rows());
+  glBindTextureUnit(3, background.texels());
+  set(id, "under_columns", background.columns());
   glBindVertexArray(no_vertices_.id());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
   glViewport(0, 0, columns, rows);
 }
 
-void DiscPainter::draw(GLuint framebuffer, const DiscOutput& output, const ColorTarget& background) {
+void DiscPainter::draw(GLuint framebuffer, const DiscOutput& output, const Backdrop& background) {
   prepare(framebuffer, output, background, false);
   glEnable(GL_PROGRAM_POINT_SIZE);
   glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(squares_.size()));
 }
 
-void DiscPainter::draw(GLuint framebuffer, const DiscOutput& output, const ColorTarget& background,
+void DiscPainter::draw(GLuint framebuffer, const DiscOutput& output, const Backdrop& background,
                        const ColorTarget& layer, std::span<const IntBox> boxes) {
   if (boxes.empty()) return;
   prepare(framebuffer, output, background, true);
-  glBindTextureUnit(5, layer.even_rows());
-  glBindTextureUnit(6, layer.odd_rows());
+  glBindTextureUnit(4, layer.even_rows());
+  glBindTextureUnit(5, layer.odd_rows());
   glEnable(GL_SCISSOR_TEST);
   for (const IntBox& box : boxes) {
     glScissor(box.left / block_width, box.top / block_height, box.width() / block_width, box.height() / block_height);

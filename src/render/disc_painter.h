@@ -45,10 +45,9 @@ class DiscPainter {
   // something else than the background there; empty for a target that shows anything.
   void arrange(std::span<const glm::vec4> particles, const Projection& projection, const DiscStyle& style,
                std::vector<std::uint8_t>& stale);
-  // Into the framebuffer, which is not the background's.
-  void draw(GLuint framebuffer, const DiscOutput& output, const ColorTarget& background);
+  void draw(GLuint framebuffer, const DiscOutput& output, const Backdrop& background);
   // The same with a layer on top of discs and background, whole blocks of `box` only.
-  void draw(GLuint framebuffer, const DiscOutput& output, const ColorTarget& background, const ColorTarget& layer,
+  void draw(GLuint framebuffer, const DiscOutput& output, const Backdrop& background, const ColorTarget& layer,
             std::span<const IntBox> boxes);
 
  private:
@@ -70,7 +69,7 @@ class DiscPainter {
   void project_deep(std::span<const glm::vec4> particles, const Projection& projection, const DiscStyle& style);
   void list_squares();
   const GlProgram& program(bool movie, bool overlay);
-  void prepare(GLuint framebuffer, const DiscOutput& output, const ColorTarget& background, bool overlay);
+  void prepare(GLuint framebuffer, const DiscOutput& output, const Backdrop& background, bool overlay);
 
   int width_;
   int height_;

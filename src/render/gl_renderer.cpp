@@ -48,7 +48,7 @@ void clear(Image& image, const IntBox& box) {
 }  // namespace
 
 GlRenderer::Drawing::Drawing(int width, int height)
-    : discs(width, height), empty(width, height), background(width, height) {}
+    : discs(width, height), empty(width, height), walls(width, height), background(width, height) {}
 
 GlRenderer::GlRenderer(const Scene& scene, const StillLife& still_life, const DeviceChoice& choice)
     : width_(scene.render.size[0]),
@@ -110,7 +110,8 @@ void GlRenderer::see(const Frame& frame) {
 void GlRenderer::draw_background() {
   std::vector<std::uint8_t> stale;
   drawing_->discs.arrange(walls_, projection_, wall_style_, stale);
-  drawing_->discs.draw(drawing_->background.framebuffer(), {}, drawing_->empty);
+  drawing_->discs.draw(drawing_->walls.framebuffer(), {}, drawing_->empty);
+  drawing_->background.take(drawing_->walls);
   arranged_ = -1;
 }
 

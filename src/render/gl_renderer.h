@@ -43,8 +43,9 @@ class GlRenderer final : public Renderer {
   struct Drawing {
     Drawing(int width, int height);
     DiscPainter discs;
-    ColorTarget empty;                          // nothing but the background's colour
-    ColorTarget background;                     // what does not move: drawn once for each view
+    Backdrop empty;                             // nothing but the background's colour
+    ColorTarget walls;                          // over that: drawn once for each view
+    Backdrop background;                        // the same again
     std::optional<Sheet<ColorTarget>> picture;  // made when first asked for
     std::vector<Sheet<MovieTarget>> movie;      // two, drawn to and read in turn
   };
