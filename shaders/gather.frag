@@ -43,14 +43,40 @@ const float far = 1e38;     // squared pixels
 vec3 unpack_rgb(uint color) { return vec3(color & 255u, color >> 8 & 255u, color >> 16 & 255u); }
 
 #ifdef BALLS
-// Three chords cut the ball's disc within the pixel, at the nodes of Gauss and Legendre, across the steeper side of the
-// edge where the chord is smooth; the error stays below 0.02 from one pixel of radius on.
-float coverage(vec2 off, float radius) {
-  float across = min(off.x, off.y);
-  float along = max(off.x, off.y) - 0.5;
-  vec3 at = across + vec3(-0.3872983, 0.0, 0.3872983);
-  vec3 inside = clamp(sqrt(max(radius * radius - at * at, 0.0)) - along, 0.0, 1.0);
-  return floor(dot(inside, full * vec3(0.2777778, 0.4444444, 0.2777778)) + 0.5);
+// How bright a ball is where its surface looks along `normal` (right, up, towards the eye): light from behind the viewer's
+// left shoulder, some from everywhere, and a darker rim that sets neighbours apart.
+float light(vec3 normal) {
+  float diffuse = max(dot(normal, vec3(-0.4243, 0.5657, 0.7071)), 0.0);
+  return (0.42 + 0.58 * diffuse) * mix(0.55, 1.0, min(2.5 * normal.z, 1.0));
+}
+
+// A ball as the picture sees it. It covers less of a pixel as the squared distance grows, from all to none over about a
+// pixel, in the middle of which lies the edge: the integral is the area of the disc. visible_balls.cpp counts on that.
+struct Seen {
+  vec2 center;   // pixels
+  float depth;   // m
+  float size;    // pixels; a smaller ball is fainter instead
+  float middle;  // the share of a pixel is middle - slope * squared distance, from 0 to most, in 1/1024
+  float slope;
+  float most;
+};
+Seen seen_as(uvec4 entry) {
+  Seen seen;
+  seen.center = uintBitsToFloat(entry.xy);
+  seen.depth = uintBitsToFloat(entry.w);
+  float size = radius * focal / seen.depth;
+  seen.size = max(size, 1.0);
+  seen.most = full * size * size / (seen.size * seen.size);
+  seen.slope = seen.most * 0.5 / seen.size;
+  seen.middle = seen.most * (0.5 + 0.5 * seen.size);
+  return seen;
+}
+float share_of(Seen seen, float squared) { return ceil(clamp(seen.middle - seen.slope * squared, 0.0, seen.most)); }
+
+// The colour at a pixel so far to the right of the centre and up.
+vec3 lit(Seen seen, vec2 off, uint color) {
+  off /= seen.size;
+  return light(vec3(off, sqrt(max(1.0 - dot(off, off), 0.0)))) * unpack_rgb(color);
 }
 #else
 // How much of a pixel a disc covers, from the squared distance of its centre alone: a smooth step of 4/3 pixels, in the
@@ -59,15 +85,6 @@ float coverage(vec2 off, float radius) {
 float coverage(float squared) {
   float along = clamp(0.5 + 0.75 * (edge - sqrt(squared)), 0.0, 1.0);
   return along * along * (3.0 - 2.0 * along);
-}
-#endif
-
-#ifdef BALLS
-// How bright a ball is where its surface looks along `normal` (right, up, towards the eye): light from behind the viewer's
-// left shoulder, some from everywhere, and a darker rim that sets neighbours apart.
-float light(vec3 normal) {
-  float diffuse = max(dot(normal, vec3(-0.4243, 0.5657, 0.7071)), 0.0);
-  return (0.42 + 0.58 * diffuse) * mix(0.55, 1.0, min(2.5 * normal.z, 1.0));
 }
 #endif
 
@@ -133,25 +150,22 @@ void main() {
   for (int c = 0; c < columns; ++c) x[c] = float(max(4 * block.x + c + first_column, 0)) + 0.5;
   float y[2] = float[2](float(2 * block.y) + 0.5, float(2 * block.y) + 1.5);
 
-  float covered[count];
-  // For BALLS, of the two nearest that touch the pixel, the depth of the surface, m, and the colour. Else of the two discs
-  // with the nearest centres, which cover all of a pixel that discs cover: the squared distance, whose lowest 8 bits are
-  // the disc's place in the colour map, so that among equals the colour decides; and the colour.
+  // Of the two discs with the nearest centres, which cover all of a pixel that discs cover: the squared distance, whose
+  // lowest 8 bits are the disc's place in the colour map, so that among equals the colour decides; and the colour. For BALLS,
+  // of the two nearest that touch the pixel: the depth of the surface, m, and which it is; equals are listed in an order of
+  // their own.
   float nearest[count];
   float second[count];
-  uint nearest_color[count];
-  uint second_color[count];
+  uint nearest_disc[count];
+  uint second_disc[count];
 #ifdef BALLS
-  float nearest_light[count];
-  float second_light[count];
-  float nearest_share[count];
+  float covered[count];
 #endif
   for (int k = 0; k < count; ++k) {
-    covered[k] = 0.0;
     nearest[k] = second[k] = far;
-    nearest_color[k] = second_color[k] = 0u;
+    nearest_disc[k] = second_disc[k] = 0u;
 #ifdef BALLS
-    nearest_light[k] = second_light[k] = nearest_share[k] = 0.0;
+    covered[k] = 0.0;
 #endif
   }
 
@@ -159,50 +173,37 @@ void main() {
     uvec4 entry = texelFetch(entries, int(n));
     float center_x = uintBitsToFloat(entry.x);
     float center_y = uintBitsToFloat(entry.y);
-    uint color = entry.z;
+    float squared_x[columns];
+    for (int c = 0; c < columns; ++c) squared_x[c] = (x[c] - center_x) * (x[c] - center_x);
 #ifdef BALLS
-    float depth = uintBitsToFloat(entry.w);
-    float ball = radius * focal / depth;  // pixels
-    float seen = max(ball, 1.0);          // a smaller one turns too sharply within a pixel for the chords
-    float part = ball * ball / (seen * seen);
-#endif
-#ifdef BALLS
+    // The surface is a paraboloid, which meets another where a sphere does, if both are equally far.
+    Seen seen = seen_as(entry);
+    float front = seen.depth - radius;
+    float curve = radius / (seen.size * seen.size);
     for (int r = 0; r < 2; ++r) {
+      float squared_y = (y[r] - center_y) * (y[r] - center_y);
       for (int c = 0; c < columns; ++c) {
         int k = columns * r + c;
-        vec2 off = vec2(x[c] - center_x, center_y - y[r]);
-        vec2 across = off / seen;
-        vec3 normal = vec3(across, sqrt(max(1.0 - dot(across, across), 0.0)));
-        float share = floor(part * coverage(abs(off), seen) + 0.5);
-        float key = share > 0.0 ? depth - radius * normal.z : far;
-        float bright = light(normal);
+        float squared = squared_x[c] + squared_y;
+        float share = share_of(seen, squared);
+        float key = share > 0.0 ? front + min(curve * squared, radius) : far;
         covered[k] += share;
-        // Among equals the colour decides, then the light.
-        bool first = key < nearest[k] ||
-                     key == nearest[k] && (color < nearest_color[k] ||
-                                           color == nearest_color[k] && bright < nearest_light[k]);
-        bool other = key < second[k] ||
-                     key == second[k] && (color < second_color[k] || color == second_color[k] && bright < second_light[k]);
-        second_color[k] = first ? nearest_color[k] : other ? color : second_color[k];
-        second_light[k] = first ? nearest_light[k] : other ? bright : second_light[k];
+        second_disc[k] = key < nearest[k] ? nearest_disc[k] : key < second[k] ? n : second_disc[k];
+        nearest_disc[k] = key < nearest[k] ? n : nearest_disc[k];
         second[k] = min(second[k], max(nearest[k], key));
-        nearest_color[k] = first ? color : nearest_color[k];
-        nearest_light[k] = first ? bright : nearest_light[k];
-        nearest_share[k] = first ? share : nearest_share[k];
         nearest[k] = min(nearest[k], key);
       }
     }
 #else
-    float squared_x[columns];
-    for (int c = 0; c < columns; ++c) squared_x[c] = (x[c] - center_x) * (x[c] - center_x);
+    uint color = entry.z;
     uint place = color >> 24;
     for (int r = 0; r < 2; ++r) {
       float squared_y = (y[r] - center_y) * (y[r] - center_y);
       for (int c = 0; c < columns; ++c) {
         int k = columns * r + c;
         float key = uintBitsToFloat((floatBitsToUint(squared_x[c] + squared_y) & ~255u) | place);
-        second_color[k] = key < nearest[k] ? nearest_color[k] : key < second[k] ? color : second_color[k];
-        nearest_color[k] = key < nearest[k] ? color : nearest_color[k];
+        second_disc[k] = key < nearest[k] ? nearest_disc[k] : key < second[k] ? color : second_disc[k];
+        nearest_disc[k] = key < nearest[k] ? color : nearest_disc[k];
         second[k] = min(second[k], max(nearest[k], key));
         nearest[k] = min(nearest[k], key);
       }
@@ -229,19 +230,25 @@ void main() {
   lay_over(pixels, top);
 #else
   for (int k = 0; k < count; ++k) {
-    float alpha = min(covered[k] / full, 1.0);
 #ifdef BALLS
     // What the nearest leaves of the covered part is the second's; those behind it look alike.
-    float front = min(nearest_share[k] / max(min(covered[k], full), 1.0), 1.0);
-    vec3 rgb = mix(second_light[k] * unpack_rgb(second_color[k]), nearest_light[k] * unpack_rgb(nearest_color[k]), front);
+    float alpha = min(covered[k] / full, 1.0);
+    uvec4 one = texelFetch(entries, int(nearest_disc[k]));
+    uvec4 two = texelFetch(entries, int(second_disc[k]));
+    Seen seen = seen_as(one);
+    Seen other = seen_as(two);
+    vec2 off = vec2(x[k % columns] - seen.center.x, seen.center.y - y[k / columns]);
+    vec2 off_other = vec2(x[k % columns] - other.center.x, other.center.y - y[k / columns]);
+    float front = min(share_of(seen, dot(off, off)) / max(min(covered[k], full), 1.0), 1.0);
+    vec3 rgb = mix(lit(other, off_other, two.z), lit(seen, off, one.z), front);
 #else
     float by_one = coverage(nearest[k]);
     float by_two = coverage(second[k]);
-    alpha = min(by_one + by_two, 1.0);
+    float alpha = min(by_one + by_two, 1.0);
     // How much of the pixel lies on the nearest disc's side of the line between the two, were they tangent.
     float apart = by_two > 0.0 ? second[k] - nearest[k] : far;
     float side = clamp(0.5 + apart / (4.0 * radius), 0.5, 1.0);
-    vec3 rgb = mix(unpack_rgb(second_color[k]), unpack_rgb(nearest_color[k]), side);
+    vec3 rgb = mix(unpack_rgb(second_disc[k]), unpack_rgb(nearest_disc[k]), side);
 #endif
     pixels[k] = mix(pixels[k], vec4(rgb, 1.0), opacity * alpha);
   }

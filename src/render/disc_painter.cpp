@@ -1,16 +1,15 @@
 #include "render/disc_painter.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include "render/assets.h"
+#include "render/lanes.h"
 #include "render/unroll.h"
 
 namespace weir {
 
 namespace {
-
-// A ball smaller than this, pixels, is drawn with this radius and fainter; as in gather.frag.
-constexpr double least_ball = 1;
 
 constexpr int square_size = 1 << square_shift;  // blocks
 
@@ -28,7 +27,7 @@ void set(GLuint program, const char* name, double a) {
   glProgramUniform1f(program, glGetUniformLocation(program, name), static_cast<float>(a));
 }
 
-// A colour and its place in the map, as in Entry.
+// A colour and its place in the map, as in Disc.
 std::array<std::uint32_t, 256> packed(Colormap colors) {
   for (std::uint32_t k = 0; k < colors.size(); ++k)
     colors[k] = k << 24 | (colors[k] & 0xff) << 16 | (colors[k] & 0xff00) | colors[k] >> 16;
@@ -44,6 +43,7 @@ DiscPainter::DiscPainter(int width, int height)
     : width_(width),
       height_(height),
       bins_(width, height),
+      visible_balls_(width, height),
       dots_(width, height),
       entries_(GL_RGBA32UI),
       ranges_(GL_RG32UI),
@@ -70,7 +70,7 @@ void DiscPainter::project_flat(std::span<const glm::vec4> particles, const Proje
     const float place = std::clamp(at.w, 0.0f, 255.0f);
     // Written so that what is not a number is left out.
     if (at.x > -reach && at.x < limit.x && at.y > -reach && at.y < limit.y && place >= 0)
-      discs_.push_back({at.x, at.y, reach, 0, colors[static_cast<std::size_t>(place + 0.5f)]});
+      discs_.push_back({at.x, at.y, reach, colors[static_cast<std::size_t>(place + 0.5f)]});
   }
   bins_.reset(bin_shift(radius_));
 }
@@ -80,47 +80,66 @@ void DiscPainter::project_deep(std::span<const glm::vec4> particles, const Proje
   radius_ = style.radius;
   focal_ = projection.focal;
   are_dots_ = false;
+  const auto radius = static_cast<float>(style.radius);
+  const auto focal = static_cast<float>(projection.focal);
+  const glm::vec3 eye(projection.eye);
+  const glm::vec3 right(projection.right);
+  const glm::vec3 up(projection.up);
+  const glm::vec3 forward(projection.forward);
+  const glm::vec2 principal(projection.principal);
+  const glm::vec2 end(width_, height_);
   const auto low = static_cast<float>(style.range[0]);
   const float steps = steps_per_unit(style);
   const Colormap colors = packed(style.colors);
-  for (const glm::vec4& particle : particles) {
-    const double depth = projection.depth(Vec3(particle));
-    if (!(depth > style.radius)) continue;  // behind the eye, or the eye is inside
-    const glm::vec2 center(projection.pixel(Vec3(particle)));
-    const auto reach = static_cast<float>(std::max(least_ball, projection.focal * style.radius / depth));
-    const float step = std::clamp((particle.w - low) * steps, 0.0f, 255.0f);
-    if (!(center.x > -reach && center.x < static_cast<float>(width_) + reach && center.y > -reach &&
-          center.y < static_cast<float>(height_) + reach && step >= 0))
-      continue;
-    discs_.push_back(
-        {center.x, center.y, reach, static_cast<float>(depth), colors[static_cast<std::size_t>(step + 0.5f)]});
-  }
+  visible_balls_.begin(style.radius, projection.focal, particles.size());
+  visit_by_four(particles, [&](const std::array<Lanes, 4>& four) {
+    const Lanes x = four[0] - eye.x;
+    const Lanes y = four[1] - eye.y;
+    const Lanes z = four[2] - eye.z;
+    const auto along = [&](const glm::vec3& axis) { return axis.x * x + axis.y * y + axis.z * z; };
+    const Lanes depth = along(forward);
+    const Lanes scale = focal / depth;
+    const Lanes column = principal.x + scale * along(right);
+    const Lanes row = principal.y - scale * along(up);
+    const Lanes reach = larger(scale * radius, all(least_ball));
+    const Lanes place = (four[3] - low) * steps;
+    // Behind the eye is nothing, nor is a ball in which the eye is; and what is not a number is left out.
+    const Whole seen = (depth > radius) & (column > -reach) & (column < end.x + reach) & (row > -reach) &
+                       (row < end.y + reach) & (place == place);
+    const Whole color = truncated(larger(smaller(place, all(255)), all(0)) + 0.5f);
+    Whole packed_color{};
+    for (int k = 0; k < 4; ++k) packed_color[k] = static_cast<std::int32_t>(colors[color[k]]);
+    visible_balls_.add({column, row, std::bit_cast<Lanes>(packed_color), depth}, seen);
+  });
   bins_.reset(bin_shift(projection.pixels_per_metre() * style.radius));
 }
 
 void DiscPainter::arrange(std::span<const glm::vec4> particles, const Projection& projection, const DiscStyle& style,
                           std::vector<std::uint8_t>& stale) {
-  balls_ = projection.perspective;
+  are_balls_ = projection.perspective;
   opacity_ = style.opacity;
   discs_.clear();
-  if (balls_)
+  if (are_balls_) {
     project_deep(particles, projection, style);
-  else
+    visible_balls_.count(bins_);
+  } else {
     project_flat(particles, projection, style);
-  const std::span<const Disc> discs(discs_);
-  if (are_dots_)
-    dots_.count(bins_);
-  else
-    bins_.count(discs);
+    if (are_dots_)
+      dots_.count(bins_);
+    else
+      bins_.count(std::span<const Disc>(discs_));
+  }
   const std::size_t entries = bins_.close(stale);
   ranges_.write(bins_.ranges());
   list_squares();
-  void* to = entries_.map(entries * sizeof(Entry));
-  if (are_dots_)
+  void* to = entries_.map(entries * sizeof(ScreenBall));
+  if (are_balls_)
+    visible_balls_.scatter(bins_, static_cast<ScreenBall*>(to));
+  else if (are_dots_)
     dots_.take(bins_, opacity_, static_cast<Dots::Texel*>(to));
   else
-    bins_.scatter(discs, static_cast<Entry*>(to), [](const Disc& disc) {
-      return Entry{disc.x, disc.y, disc.color, disc.depth};
+    bins_.scatter(std::span<const Disc>(discs_), static_cast<ScreenBall*>(to), [](const Disc& disc) {
+      return ScreenBall{disc.x, disc.y, disc.color, 0};
     });
   entries_.unmap();
 }
@@ -140,7 +159,7 @@ const GlProgram& DiscPainter::program(bool movie, bool overlay) {
   std::string defines;
   if (movie) defines += "#define YUV\n";
   if (overlay) defines += "#define OVERLAY\n";
-  if (balls_) defines += "#define BALLS\n";
+  if (are_balls_) defines += "#define BALLS\n";
   if (are_dots_) defines += "#define DOTS\n";
   const auto found = programs_.find(defines);
   if (found != programs_.end()) return found->second;

@@ -20,6 +20,7 @@
 #include "render/gl_objects.h"
 #include "render/projection.h"
 #include "render/stream_buffer.h"
+#include "render/visible_balls.h"
 
 namespace weir {
 
@@ -55,15 +56,7 @@ class DiscPainter {
     float x = 0;  // pixels
     float y = 0;
     float reach = 0;
-    float depth = 0;  // m, in perspective
-    std::uint32_t color = 0;
-  };
-  // As in gather.frag.
-  struct Entry {
-    float x = 0;  // pixels
-    float y = 0;
     std::uint32_t color = 0;  // place in the map above 24 bits of blue, green and red
-    float depth = 0;          // m, in perspective
   };
   void project_flat(std::span<const glm::vec4> particles, const Projection& projection, const DiscStyle& style);
   void project_deep(std::span<const glm::vec4> particles, const Projection& projection, const DiscStyle& style);
@@ -75,13 +68,14 @@ class DiscPainter {
   int height_;
   Bins bins_;
   std::vector<Disc> discs_;
+  VisibleBalls visible_balls_;
   double radius_ = 1;  // pixels; of balls, metres
   double focal_ = 1;   // of balls
   double opacity_ = 1;
-  bool balls_ = false;
+  bool are_balls_ = false;
   bool are_dots_ = false;
   Dots dots_;
-  StreamBuffer entries_;                // Entry, or Dots::Texel
+  StreamBuffer entries_;                // ScreenBall, also for discs, or Dots::Texel
   StreamBuffer ranges_;                 // Bins::Range
   std::vector<std::uint32_t> squares_;  // as in gather.vert: what the bins leave to do
   StreamBuffer square_texels_;

@@ -3,42 +3,17 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
-#include <limits>
 #include <new>
+
+#include "render/lanes.h"
 
 namespace weir {
 
 namespace {
 
-using Lanes = float __attribute__((vector_size(16)));
-using Whole = std::int32_t __attribute__((vector_size(16)));
-
 constexpr float full = 1024;  // of a pixel's area
 
 constexpr std::uint32_t square_texels = square_width * square_height / block_width;
-
-// Columns become rows.
-std::array<Lanes, 4> transposed(const std::array<Lanes, 4>& of) {
-  const Lanes low_a = __builtin_shufflevector(of[0], of[1], 0, 4, 1, 5);
-  const Lanes low_b = __builtin_shufflevector(of[2], of[3], 0, 4, 1, 5);
-  const Lanes high_a = __builtin_shufflevector(of[0], of[1], 2, 6, 3, 7);
-  const Lanes high_b = __builtin_shufflevector(of[2], of[3], 2, 6, 3, 7);
-  return {__builtin_shufflevector(low_a, low_b, 0, 1, 4, 5), __builtin_shufflevector(low_a, low_b, 2, 3, 6, 7),
-          __builtin_shufflevector(high_a, high_b, 0, 1, 4, 5), __builtin_shufflevector(high_a, high_b, 2, 3, 6, 7)};
-}
-
-Lanes loaded(const glm::vec4* from) {
-  Lanes lanes;
-  std::memcpy(&lanes, from, sizeof(lanes));
-  return lanes;
-}
-
-Lanes smaller(Lanes a, Lanes b) { return a < b ? a : b; }
-Lanes larger(Lanes a, Lanes b) { return a > b ? a : b; }
-Lanes all(float value) { return Lanes{} + value; }
-Whole truncated(Lanes value) { return __builtin_convertvector(value, Whole); }
-Lanes floats(Whole value) { return __builtin_convertvector(value, Lanes); }
 
 // Of dots, the parts that fall on two columns (or rows) of pixels, if their centres lie so far beyond the middle of the
 // first; or on three, so far beyond the middle of the second. They have the sum 1 and their centre there. A dot of less
@@ -102,8 +77,7 @@ void Dots::add_to_pixels(std::span<const glm::vec4> particles, const glm::vec4& 
   Sum* const sums = sums_.get();
   std::uint8_t* const filled = filled_.data();
 
-  const auto add_four = [&](const glm::vec4* from) {
-    const std::array<Lanes, 4> four = transposed({loaded(from), loaded(from + 1), loaded(from + 2), loaded(from + 3)});
+  visit_by_four(particles, [&](const std::array<Lanes, 4>& four) {
     const Lanes x = four[0] * scale.x + offset.x;
     const Lanes y = four[1] * scale.y + offset.y;
     const Lanes place = four[3] * scale.w + offset.w;
@@ -134,13 +108,7 @@ void Dots::add_to_pixels(std::span<const glm::vec4> particles, const glm::vec4& 
       std::uint8_t* const lower = filled + bottom[k] * square_stride;
       upper[left[k]] = upper[right[k]] = lower[left[k]] = lower[right[k]] = 1;
     }
-  };
-  std::size_t n = 0;
-  for (; n + 4 <= particles.size(); n += 4) add_four(&particles[n]);
-  std::array<glm::vec4, 4> rest;
-  rest.fill(glm::vec4(std::numeric_limits<float>::quiet_NaN()));
-  std::copy(particles.begin() + n, particles.end(), rest.begin());
-  add_four(rest.data());
+  });
 }
 
 void Dots::count(Bins& bins) const {
