@@ -57,13 +57,14 @@ class GlRenderer final : public Renderer {
   template <class Target>
   void draw_on(Sheet<Target>& sheet, const DiscOutput& output);
 
+  Scene scene_;
+  std::vector<glm::vec3> walls_;
   int width_;
   int height_;
   Palette palette_;
   bool transparent_;
   DiscStyle fluid_style_;
   DiscStyle wall_style_;
-  std::vector<glm::vec4> walls_;
   Overlay overlay_;
   CameraPath camera_;
   std::unique_ptr<EglContext> context_;
