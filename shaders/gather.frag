@@ -2,25 +2,24 @@
 // Each fragment shades a block of 4 x 2 pixels: it looks up the discs that touch it in the bins and mixes them over the
 // background. Blocks, because looking up costs as much as shading; 4 x 2, because a block holds whole samples of chroma.
 //
-// BALLS: lit balls in perspective instead of discs. DOTS: discs too small to be seen round, spread over as few pixels as
-// keep area and centre. OVERLAY: a layer on top. YUV: out comes Y'CbCr of a movie, otherwise RGBA.
+// BALLS: lit balls in perspective instead of discs. DOTS: discs that the processor has added up to pixels. OVERLAY: a layer
+// on top. YUV: out comes Y'CbCr of a movie, otherwise RGBA.
 //
-// Pixels do not depend on the order of the discs in a bin: what decides overlaps are minima, and dots are summed in whole
-// 1/1024, which floating point adds exactly.
+// Pixels do not depend on the order of the discs in a bin: what decides overlaps are minima, and coverage is summed in
+// whole 1/1024, which floating point adds exactly.
 
-uniform usamplerBuffer bins;      // for each the first disc and the one past the last; past before first: nothing to do
-uniform usamplerBuffer discs;     // see bins.h, Entry
-uniform usampler2D under_even;    // even rows of the background, 4 pixels a texel, colours multiplied with alpha
-uniform usampler2D under_odd;
-uniform usampler2D over_even;     // of the layer on top, colours not multiplied
+uniform usamplerBuffer bins;      // for each the first entry and the one past the last; past before first: nothing to do
+uniform usamplerBuffer entries;   // discs as in disc_painter.h, or DOTS as in dots.h
+uniform usamplerBuffer under;     // rows of the background, 4 pixels a texel, colours multiplied with alpha
+uniform int under_columns;        // texels a row
+uniform usampler2D over_even;     // even rows of the layer on top, colours not multiplied
 uniform usampler2D over_odd;
 uniform int bin_shift;            // a bin is 2^bin_shift blocks wide and high
 uniform int bin_columns;
 uniform float radius;             // pixels; of BALLS, metres
+uniform float edge;               // of discs, pixels; see coverage()
 uniform float focal;              // of BALLS, pixels per metre at one metre of depth
 uniform float opacity;            // of all discs
-uniform float dot_area;           // of DOTS, pixels
-uniform float dot_spread;         // of DOTS, 0 .. 1: from the neighbouring pixels to those beyond
 uniform vec3 background;          // 0 .. 255, behind all that is translucent in a movie
 uniform bool straight;            // RGBA is not multiplied with alpha
 
@@ -43,16 +42,6 @@ const float far = 1e38;     // squared pixels
 
 vec3 unpack_rgb(uint color) { return vec3(color & 255u, color >> 8 & 255u, color >> 16 & 255u); }
 
-// Three chords cut the disc within the pixel, at the nodes of Gauss and Legendre, across the steeper side of the edge
-// where the chord is smooth; the error stays below 0.02 from one pixel of radius on.
-float coverage(vec2 off, float radius) {
-  float across = min(off.x, off.y);
-  float along = max(off.x, off.y) - 0.5;
-  vec3 at = across + vec3(-0.3872983, 0.0, 0.3872983);
-  vec3 inside = clamp(sqrt(max(radius * radius - at * at, 0.0)) - along, 0.0, 1.0);
-  return floor(dot(inside, full * vec3(0.2777778, 0.4444444, 0.2777778)) + 0.5);
-}
-
 #ifdef BALLS
 // How bright a ball is where its surface looks along `normal` (right, up, towards the eye): light from behind the viewer's
 // left shoulder, some from everywhere, and a darker rim that sets neighbours apart.
@@ -60,14 +49,61 @@ float light(vec3 normal) {
   float diffuse = max(dot(normal, vec3(-0.4243, 0.5657, 0.7071)), 0.0);
   return (0.42 + 0.58 * diffuse) * mix(0.55, 1.0, min(2.5 * normal.z, 1.0));
 }
+
+// A ball as the picture sees it. It covers less of a pixel as the squared distance grows, from all to none over about a
+// pixel, in the middle of which lies the edge: the integral is the area of the disc. visible_balls.cpp counts on that.
+struct Seen {
+  vec2 center;   // pixels
+  float depth;   // m
+  float size;    // pixels; a smaller ball is fainter instead
+  float middle;  // the share of a pixel is middle - slope * squared distance, from 0 to most, in 1/1024
+  float slope;
+  float most;
+};
+Seen seen_as(uvec4 entry) {
+  Seen seen;
+  seen.center = uintBitsToFloat(entry.xy);
+  seen.depth = uintBitsToFloat(entry.w);
+  float size = radius * focal / seen.depth;
+  seen.size = max(size, 1.0);
+  seen.most = full * size * size / (seen.size * seen.size);
+  seen.slope = seen.most * 0.5 / seen.size;
+  seen.middle = seen.most * (0.5 + 0.5 * seen.size);
+  return seen;
+}
+float share_of(Seen seen, float squared) { return ceil(clamp(seen.middle - seen.slope * squared, 0.0, seen.most)); }
+
+// The colour at a pixel so far to the right of the centre and up.
+vec3 lit(Seen seen, vec2 off, uint color) {
+  off /= seen.size;
+  return light(vec3(off, sqrt(max(1.0 - dot(off, off), 0.0)))) * unpack_rgb(color);
+}
+#else
+// How much of a pixel a disc covers, from the squared distance of its centre alone: a smooth step of 4/3 pixels, in the
+// middle between edges along the pixels and across. It is off by 0.043 at most, where a straight edge along the pixels
+// just touches one: that gets a step of 7/8 in place of 1. `edge` is such that the integral is the disc's area.
+float coverage(float squared) {
+  float along = clamp(0.5 + 0.75 * (edge - sqrt(squared)), 0.0, 1.0);
+  return along * along * (3.0 - 2.0 * along);
+}
 #endif
 
-// Of a dot's area, the share of a pixel so far away along one axis. Both parts have the sum 1 over all pixels and their
-// centre at 0, wherever the dot lies between pixels.
-float spread(float off) {
-  off = abs(off);
-  return mix(max(1.0 - off, 0.0), 0.5 * clamp(1.5 - off, 0.0, 1.0), dot_spread);
+uvec2 bin_of(ivec2 block) {
+  ivec2 bin = block >> bin_shift;
+  return texelFetch(bins, bin.y * bin_columns + bin.x).xy;
 }
+
+#ifdef DOTS
+// The upper and the lower row of a block.
+void fetch_dots(ivec2 block, out uvec4 even, out uvec4 odd) {
+  uvec2 range = bin_of(block);
+  ivec2 within = block & (1 << bin_shift) - 1;
+  int at = int(range.x) + 2 * ((within.y << bin_shift) + within.x);
+  bool filled = range.x < range.y;
+  even = filled ? texelFetch(entries, at) : uvec4(0u);
+  odd = filled ? texelFetch(entries, at + 1) : uvec4(0u);
+}
+#endif
 
 // The pixels of a block, as the textures of the background hold them; `left` is the block to its left.
 void unpack_rows(uvec4 left_even, uvec4 left_odd, uvec4 even, uvec4 odd, out vec4 pixels[count]) {
@@ -81,6 +117,10 @@ void unpack_rows(uvec4 left_even, uvec4 left_odd, uvec4 even, uvec4 odd, out vec
     texels[columns + c - first_column] = odd[c];
   }
   for (int k = 0; k < count; ++k) pixels[k] = vec4(unpack_rgb(texels[k]), float(texels[k] >> 24) / 255.0);
+}
+
+void lay_over(inout vec4 pixels[count], vec4 top[count]) {
+  for (int k = 0; k < count; ++k) pixels[k] = mix(pixels[k], vec4(top[k].rgb, 1.0), top[k].a);
 }
 
 uint pack(vec4 v) {
@@ -100,146 +140,124 @@ vec2 chroma_of(vec3 rgb) {
 
 void main() {
   ivec2 block = ivec2(gl_FragCoord.xy);
-  ivec2 bin = block >> bin_shift;
-  uvec2 range = texelFetch(bins, bin.y * bin_columns + bin.x).xy;
+  uvec2 range = bin_of(block);
 #ifndef OVERLAY  // which may have changed
   if (range.x > range.y) discard;
 #endif
 
+#ifndef DOTS
   float x[columns];
   for (int c = 0; c < columns; ++c) x[c] = float(max(4 * block.x + c + first_column, 0)) + 0.5;
   float y[2] = float[2](float(2 * block.y) + 0.5, float(2 * block.y) + 1.5);
 
-  float covered[count];
-#ifdef DOTS
-  vec3 sum[count];
-#else
-  // For BALLS, of the two nearest that touch the pixel, the depth of the surface, m, and the colour. Else of the two discs
-  // with the nearest centres, which cover all of a pixel that discs cover: the squared distance, whose lowest 8 bits are
-  // the disc's place in the colour map, so that among equals the colour decides; and which disc it is. Only those two are
-  // then looked at closely.
+  // Of the two discs with the nearest centres, which cover all of a pixel that discs cover: the squared distance, whose
+  // lowest 8 bits are the disc's place in the colour map, so that among equals the colour decides; and the colour. For BALLS,
+  // of the two nearest that touch the pixel: the depth of the surface, m, and which it is; equals are listed in an order of
+  // their own.
   float nearest[count];
   float second[count];
-  uint nearest_color[count];
-  uint second_color[count];
+  uint nearest_disc[count];
+  uint second_disc[count];
 #ifdef BALLS
-  float nearest_light[count];
-  float second_light[count];
-  float nearest_share[count];
-#endif
+  float covered[count];
 #endif
   for (int k = 0; k < count; ++k) {
-    covered[k] = 0.0;
-#ifdef DOTS
-    sum[k] = vec3(0.0);
-#else
     nearest[k] = second[k] = far;
-    nearest_color[k] = second_color[k] = 0u;
+    nearest_disc[k] = second_disc[k] = 0u;
 #ifdef BALLS
-    nearest_light[k] = second_light[k] = nearest_share[k] = 0.0;
-#endif
+    covered[k] = 0.0;
 #endif
   }
 
   for (uint n = range.x; n < range.y; ++n) {
-    uvec4 entry = texelFetch(discs, int(n));
+    uvec4 entry = texelFetch(entries, int(n));
     float center_x = uintBitsToFloat(entry.x);
     float center_y = uintBitsToFloat(entry.y);
-    uint color = entry.z;
+    float squared_x[columns];
+    for (int c = 0; c < columns; ++c) squared_x[c] = (x[c] - center_x) * (x[c] - center_x);
 #ifdef BALLS
-    float depth = uintBitsToFloat(entry.w);
-    float ball = radius * focal / depth;  // pixels
-    float seen = max(ball, 1.0);          // a smaller one turns too sharply within a pixel for the chords
-    float part = ball * ball / (seen * seen);
-#endif
-#ifdef DOTS
-    vec3 rgb = unpack_rgb(color);
-    float wide[columns];
-    for (int c = 0; c < columns; ++c) wide[c] = spread(x[c] - center_x);
+    // The surface is a paraboloid, which meets another where a sphere does, if both are equally far.
+    Seen seen = seen_as(entry);
+    float front = seen.depth - radius;
+    float curve = radius / (seen.size * seen.size);
     for (int r = 0; r < 2; ++r) {
-      float high = full * dot_area * spread(y[r] - center_y);
-      for (int c = 0; c < columns; ++c) {
-        float share = floor(high * wide[c] + 0.5);
-        covered[columns * r + c] += share;
-        sum[columns * r + c] += share * rgb;
-      }
-    }
-#elif defined BALLS
-    for (int r = 0; r < 2; ++r) {
+      float squared_y = (y[r] - center_y) * (y[r] - center_y);
       for (int c = 0; c < columns; ++c) {
         int k = columns * r + c;
-        vec2 off = vec2(x[c] - center_x, center_y - y[r]);
-        vec2 across = off / seen;
-        vec3 normal = vec3(across, sqrt(max(1.0 - dot(across, across), 0.0)));
-        float share = floor(part * coverage(abs(off), seen) + 0.5);
-        float key = share > 0.0 ? depth - radius * normal.z : far;
-        float bright = light(normal);
+        float squared = squared_x[c] + squared_y;
+        float share = share_of(seen, squared);
+        float key = share > 0.0 ? front + min(curve * squared, radius) : far;
         covered[k] += share;
-        // Among equals the colour decides, then the light.
-        bool first = key < nearest[k] ||
-                     key == nearest[k] && (color < nearest_color[k] ||
-                                           color == nearest_color[k] && bright < nearest_light[k]);
-        bool other = key < second[k] ||
-                     key == second[k] && (color < second_color[k] || color == second_color[k] && bright < second_light[k]);
-        second_color[k] = first ? nearest_color[k] : other ? color : second_color[k];
-        second_light[k] = first ? nearest_light[k] : other ? bright : second_light[k];
+        second_disc[k] = key < nearest[k] ? nearest_disc[k] : key < second[k] ? n : second_disc[k];
+        nearest_disc[k] = key < nearest[k] ? n : nearest_disc[k];
         second[k] = min(second[k], max(nearest[k], key));
-        nearest_color[k] = first ? color : nearest_color[k];
-        nearest_light[k] = first ? bright : nearest_light[k];
-        nearest_share[k] = first ? share : nearest_share[k];
         nearest[k] = min(nearest[k], key);
       }
     }
 #else
-    float squared_x[columns];
-    for (int c = 0; c < columns; ++c) squared_x[c] = (x[c] - center_x) * (x[c] - center_x);
+    uint color = entry.z;
     uint place = color >> 24;
     for (int r = 0; r < 2; ++r) {
       float squared_y = (y[r] - center_y) * (y[r] - center_y);
       for (int c = 0; c < columns; ++c) {
         int k = columns * r + c;
         float key = uintBitsToFloat((floatBitsToUint(squared_x[c] + squared_y) & ~255u) | place);
-        second_color[k] = key < nearest[k] ? nearest_color[k] : key < second[k] ? n : second_color[k];
-        nearest_color[k] = key < nearest[k] ? n : nearest_color[k];
+        second_disc[k] = key < nearest[k] ? nearest_disc[k] : key < second[k] ? color : second_disc[k];
+        nearest_disc[k] = key < nearest[k] ? color : nearest_disc[k];
         second[k] = min(second[k], max(nearest[k], key));
         nearest[k] = min(nearest[k], key);
       }
     }
 #endif
   }
+#endif
 
   ivec2 beside = ivec2(max(block.x - 1, 0), block.y);
   vec4 pixels[count];
-  unpack_rows(texelFetch(under_even, beside, 0), texelFetch(under_odd, beside, 0), texelFetch(under_even, block, 0),
-              texelFetch(under_odd, block, 0), pixels);
-  for (int k = 0; k < count; ++k) {
-    float alpha = min(covered[k] / full, 1.0);
+  int even_at = 2 * block.y * under_columns + block.x;
+  int odd_at = even_at + under_columns;
+  int left = beside.x - block.x;
+  unpack_rows(texelFetch(under, even_at + left), texelFetch(under, odd_at + left), texelFetch(under, even_at),
+              texelFetch(under, odd_at), pixels);
+#if defined DOTS || defined OVERLAY
+  vec4 top[count];
+#endif
 #ifdef DOTS
-    vec3 rgb = sum[k] / max(covered[k], 1.0);
-#elif defined BALLS
-    // What the nearest leaves of the covered part is the second's; those behind it look alike.
-    float front = min(nearest_share[k] / max(min(covered[k], full), 1.0), 1.0);
-    vec3 rgb = mix(second_light[k] * unpack_rgb(second_color[k]), nearest_light[k] * unpack_rgb(nearest_color[k]), front);
+  uvec4 left_even, left_odd, even, odd;
+  fetch_dots(beside, left_even, left_odd);
+  fetch_dots(block, even, odd);
+  unpack_rows(left_even, left_odd, even, odd, top);
+  lay_over(pixels, top);
 #else
-    uvec4 one = texelFetch(discs, int(nearest_color[k]));
-    uvec4 two = texelFetch(discs, int(second_color[k]));
-    vec2 at = vec2(x[k % columns], y[k / columns]);
-    float by_one = nearest[k] < far ? coverage(abs(at - uintBitsToFloat(one.xy)), radius) : 0.0;
-    float by_two = second[k] < far ? coverage(abs(at - uintBitsToFloat(two.xy)), radius) : 0.0;
-    alpha = min((by_one + by_two) / full, 1.0);
+  for (int k = 0; k < count; ++k) {
+#ifdef BALLS
+    // What the nearest leaves of the covered part is the second's; those behind it look alike.
+    float alpha = min(covered[k] / full, 1.0);
+    uvec4 one = texelFetch(entries, int(nearest_disc[k]));
+    uvec4 two = texelFetch(entries, int(second_disc[k]));
+    Seen seen = seen_as(one);
+    Seen other = seen_as(two);
+    vec2 off = vec2(x[k % columns] - seen.center.x, seen.center.y - y[k / columns]);
+    vec2 off_other = vec2(x[k % columns] - other.center.x, other.center.y - y[k / columns]);
+    float front = min(share_of(seen, dot(off, off)) / max(min(covered[k], full), 1.0), 1.0);
+    vec3 rgb = mix(lit(other, off_other, two.z), lit(seen, off, one.z), front);
+#else
+    float by_one = coverage(nearest[k]);
+    float by_two = coverage(second[k]);
+    float alpha = min(by_one + by_two, 1.0);
     // How much of the pixel lies on the nearest disc's side of the line between the two, were they tangent.
     float apart = by_two > 0.0 ? second[k] - nearest[k] : far;
     float side = clamp(0.5 + apart / (4.0 * radius), 0.5, 1.0);
-    vec3 rgb = mix(unpack_rgb(two.z), unpack_rgb(one.z), side);
+    vec3 rgb = mix(unpack_rgb(second_disc[k]), unpack_rgb(nearest_disc[k]), side);
 #endif
     pixels[k] = mix(pixels[k], vec4(rgb, 1.0), opacity * alpha);
   }
+#endif
 
 #ifdef OVERLAY
-  vec4 top[count];
   unpack_rows(texelFetch(over_even, beside, 0), texelFetch(over_odd, beside, 0), texelFetch(over_even, block, 0),
               texelFetch(over_odd, block, 0), top);
-  for (int k = 0; k < count; ++k) pixels[k] = mix(pixels[k], vec4(top[k].rgb, 1.0), top[k].a);
+  lay_over(pixels, top);
 #endif
 
 #ifdef YUV

@@ -51,7 +51,15 @@ void Trace::add(const char* name, std::int64_t begin, std::int64_t end) {
   events.push_back({name, begin, end, this_thread()});
 }
 
+void Trace::drop() {
+  on_ = false;
+  const std::lock_guard lock(mutex);
+  events.clear();
+  thread_names.clear();
+}
+
 void Trace::name_thread(const char* name) {
+  if (!on()) return;
   const std::lock_guard lock(mutex);
   thread_names[this_thread()] = name;
 }
@@ -73,6 +81,7 @@ std::string Trace::finish() {
     separator = ",\n";
   }
   events.clear();
+  thread_names.clear();
   return json + "\n]}\n";
 }
 

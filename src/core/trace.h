@@ -15,7 +15,9 @@ class Trace {
   static bool on() { return on_.load(std::memory_order_relaxed); }
   // All spans so far, as a JSON object in the Trace Event Format, and an end to recording.
   static std::string finish();
-  // How this thread is called in the viewer. `name` must live for ever.
+  // The same, and nothing is kept.
+  static void drop();
+  // How this thread is called in the viewer, if it is on. `name` must live for ever.
   static void name_thread(const char* name);
 
  private:
@@ -23,6 +25,15 @@ class Trace {
   static std::int64_t now();  // ns
   static void add(const char* name, std::int64_t begin, std::int64_t end);
   static std::atomic<bool> on_;
+};
+
+// Recording for the length of a block: whatever ends it, the next one starts with nothing.
+class Recording {
+ public:
+  Recording() { Trace::start(); }
+  ~Recording() { Trace::drop(); }
+  Recording(const Recording&) = delete;
+  Recording& operator=(const Recording&) = delete;
 };
 
 // The time from here to the end of the block. `name` must live for ever.

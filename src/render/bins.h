@@ -14,6 +14,11 @@ namespace weir {
 inline constexpr int block_width = 4;  // pixels
 inline constexpr int block_height = 2;
 
+// The device is told square by square where there is anything to draw: 2^square_shift blocks wide and high.
+inline constexpr int square_shift = 3;
+inline constexpr int square_width = block_width << square_shift;  // pixels
+inline constexpr int square_height = block_height << square_shift;
+
 class Bins {
  public:
   // The first entry and the one past the last. Past before first: nothing to do, the target shows it already.
@@ -34,6 +39,11 @@ class Bins {
   // across or down. Finite values, and each must touch the picture.
   template <class Disc>
   void count(std::span<const Disc> discs);
+  // Counts so many entries of one bin.
+  void count(std::size_t bin, std::uint32_t entries) { next_[bin] += entries; }
+  // Calls visit(column, row) for each bin that a disc touches.
+  template <class Disc, class Visit>
+  void visit(const Disc& disc, const Visit& visit) const;
 
   // After all are counted: the number of entries. A bin that is neither filled nor `stale` is marked as nothing to do;
   // then `stale` says which are filled.
@@ -45,21 +55,11 @@ class Bins {
   // Writes entry_of(disc) to its places, in the order of the discs within each bin.
   template <class Disc, class Entry, class EntryOf>
   void scatter(std::span<const Disc> discs, Entry* entries, const EntryOf& entry_of);
+  // The place of the bin's next entry.
+  std::uint32_t next(std::size_t bin) { return next_[bin]++; }
 
  private:
-  template <class Disc, class Visit>
-  void visit_bins(const Disc& disc, const Visit& visit) const {
-    // The pixels that it touches, in -1 .. width: casting truncates towards zero, so the sum is kept positive. A block's
-    // first chroma sample takes from the pixel left of the block, hence one more to the right.
-    const int left = static_cast<int>(std::max(disc.x - disc.reach, -1.0f) + 1) - 1;
-    const int right = static_cast<int>(std::min(disc.x + disc.reach, static_cast<float>(width_ - 1)) + 1);
-    const int top = static_cast<int>(std::max(disc.y - disc.reach, 0.0f));
-    const int bottom = static_cast<int>(std::min(disc.y + disc.reach, static_cast<float>(height_ - 1)));
-    const int first = std::max(left, 0) / block_width >> shift_;
-    const int last = std::min(right / block_width >> shift_, columns_ - 1);
-    for (int row = top / block_height >> shift_; row <= bottom / block_height >> shift_; ++row)
-      for (int column = first; column <= last; ++column) visit(static_cast<std::size_t>(row) * columns_ + column);
-  }
+  std::size_t at(int column, int row) const { return static_cast<std::size_t>(row) * columns_ + column; }
 
   int width_;
   int height_;
@@ -69,16 +69,30 @@ class Bins {
   std::vector<Range> ranges_;
 };
 
+template <class Disc, class Visit>
+void Bins::visit(const Disc& disc, const Visit& visit) const {
+  // The pixels that it touches, in -1 .. width: casting truncates towards zero, so the sum is kept positive. A block's
+  // first chroma sample takes from the pixel left of the block, hence one more to the right.
+  const int left = static_cast<int>(std::max(disc.x - disc.reach, -1.0f) + 1) - 1;
+  const int right = static_cast<int>(std::min(disc.x + disc.reach, static_cast<float>(width_ - 1)) + 1);
+  const int top = static_cast<int>(std::max(disc.y - disc.reach, 0.0f));
+  const int bottom = static_cast<int>(std::min(disc.y + disc.reach, static_cast<float>(height_ - 1)));
+  const int first = std::max(left, 0) / block_width >> shift_;
+  const int last = std::min(right / block_width >> shift_, columns_ - 1);
+  for (int row = top / block_height >> shift_; row <= bottom / block_height >> shift_; ++row)
+    for (int column = first; column <= last; ++column) visit(column, row);
+}
+
 template <class Disc>
 void Bins::count(std::span<const Disc> discs) {
-  for (const Disc& disc : discs) visit_bins(disc, [&](std::size_t bin) { ++next_[bin]; });
+  for (const Disc& disc : discs) visit(disc, [&](int column, int row) { ++next_[at(column, row)]; });
 }
 
 template <class Disc, class Entry, class EntryOf>
 void Bins::scatter(std::span<const Disc> discs, Entry* entries, const EntryOf& entry_of) {
   for (const Disc& disc : discs) {
     const Entry entry = entry_of(disc);
-    visit_bins(disc, [&](std::size_t bin) { entries[next_[bin]++] = entry; });
+    visit(disc, [&](int column, int row) { entries[next_[at(column, row)]++] = entry; });
   }
 }
 

@@ -63,12 +63,6 @@ ColorTarget::ColorTarget(int width, int height)
   attach<2>(framebuffer_.id(), {even_.id(), odd_.id()}, width, height);
 }
 
-void ColorTarget::fill(std::uint32_t color) {
-  const std::array<GLuint, 4> texel{color, color, color, color};
-  for (GLint buffer = 0; buffer < 2; ++buffer)
-    glClearNamedFramebufferuiv(framebuffer_.id(), GL_COLOR, buffer, texel.data());
-}
-
 void ColorTarget::upload(const Image& image, const IntBox& box) {
   if (box.width() <= 0 || box.height() <= 0) return;
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -93,6 +87,24 @@ void ColorTarget::read(Image& image) {
     read_plane(framebuffer_.id(), {odd, GL_RGBA_INTEGER, GL_UNSIGNED_INT, texels, 2 * texels}, height_ / 2,
                to + odd * stride);
   if (!whole) copy_rows(rows_, stride, image.rgba, std::size_t{4} * width_, height_);
+}
+
+Backdrop::Backdrop(int width, int height)
+    : columns_(blocks_across(width)), rows_(height), texels_(make_buffer_texture(GL_RGBA32UI, buffer_.id())) {
+  const std::size_t bytes = std::size_t{4} * block_width * columns_ * rows_;
+  glNamedBufferData(buffer_.id(), static_cast<GLsizeiptr>(bytes), nullptr, GL_STATIC_DRAW);
+}
+
+void Backdrop::fill(std::uint32_t color) {
+  glClearNamedBufferData(buffer_.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &color);
+}
+
+void Backdrop::take(const ColorTarget& target) {
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer_.id());  // then pointers are offsets
+  for (const int odd : {0, 1})
+    read_plane(target.framebuffer(), {odd, GL_RGBA_INTEGER, GL_UNSIGNED_INT, columns_, 2 * columns_}, rows_ / 2,
+               reinterpret_cast<std::uint8_t*>(std::size_t{4} * block_width * columns_ * odd));
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
 }
 
 MovieTarget::MovieTarget(int width, int height)

@@ -20,7 +20,6 @@ class ColorTarget {
   GLuint even_rows() const { return even_.id(); }
   GLuint odd_rows() const { return odd_.id(); }
 
-  void fill(std::uint32_t color);  // every pixel 0xAABBGGRR
   // The blocks of `box`, whose sides lie between blocks, from an image as wide as whole blocks.
   void upload(const Image& image, const IntBox& box);
   void read(Image& image);  // waits until it is drawn
@@ -32,6 +31,24 @@ class ColorTarget {
   GlTexture odd_;
   GlFramebuffer framebuffer_;
   std::vector<std::uint8_t> rows_;  // of whole blocks, where the width is not
+};
+
+// What pictures are drawn over, as a buffer of the texels of ColorTarget, row by row: the software renderer reads such a
+// buffer in half the time that a texture takes.
+class Backdrop {
+ public:
+  Backdrop(int width, int height);  // pixels; the height is even
+
+  void fill(std::uint32_t color);  // every pixel 0xAABBGGRR
+  void take(const ColorTarget& target);
+  GLuint texels() const { return texels_.id(); }
+  int columns() const { return columns_; }  // texels
+
+ private:
+  int columns_;
+  int rows_;
+  GlBuffer buffer_;
+  GlTexture texels_;
 };
 
 // Y'CbCr as in MovieImage. Throws DeviceError if the driver cannot.

@@ -1,30 +1,21 @@
 #include "render/disc_painter.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <cstring>
-
-#include <numbers>
-
 #include "render/assets.h"
+#include "render/lanes.h"
 #include "render/unroll.h"
 
 namespace weir {
 
 namespace {
 
-// Up to this radius, pixels, a disc is spread as a dot: the largest of which no pixel has more than its own area.
-constexpr double largest_dot = std::numbers::inv_sqrtpi * 2;
-
-// A ball smaller than this, pixels, is drawn with this radius and fainter; as in gather.frag.
-constexpr double least_ball = 1;
-
-// Blocks: what is drawn is covered with squares of this side.
-constexpr int square_size = 8;
+constexpr int square_size = 1 << square_shift;  // blocks
 
 // Bins grow with the discs, so that a disc has about ten entries at any zoom.
 int bin_shift(double reach) {
-  return std::clamp(static_cast<int>(std::floor(std::log2(std::max(reach, 1.0) / 3))), 0, 12);
+  return std::clamp(static_cast<int>(std::floor(std::log2(std::max(reach, 1.0) / 1.2))), 0, 12);
 }
 
 int across(int pixels, int unit) { return (pixels + unit - 1) / unit; }
@@ -36,12 +27,7 @@ void set(GLuint program, const char* name, double a) {
   glProgramUniform1f(program, glGetUniformLocation(program, name), static_cast<float>(a));
 }
 
-template <class Item>
-void upload(GLuint buffer, std::span<const Item> items) {
-  glNamedBufferData(buffer, static_cast<GLsizeiptr>(items.size_bytes()), items.data(), GL_STREAM_DRAW);
-}
-
-// A colour and its place in the map, as in Entry.
+// A colour and its place in the map, as in Disc.
 std::array<std::uint32_t, 256> packed(Colormap colors) {
   for (std::uint32_t k = 0; k < colors.size(); ++k)
     colors[k] = k << 24 | (colors[k] & 0xff) << 16 | (colors[k] & 0xff00) | colors[k] >> 16;
@@ -57,33 +43,34 @@ DiscPainter::DiscPainter(int width, int height)
     : width_(width),
       height_(height),
       bins_(width, height),
-      entry_texture_(make_buffer_texture(GL_RGBA32UI, entry_buffer_.id())),
-      range_texture_(make_buffer_texture(GL_RG32UI, range_buffer_.id())),
-      square_texture_(make_buffer_texture(GL_R32UI, square_buffer_.id())) {}
+      visible_balls_(width, height),
+      dots_(width, height),
+      entries_(GL_RGBA32UI),
+      ranges_(GL_RG32UI),
+      square_texels_(GL_R32UI) {}
 
 void DiscPainter::project_flat(std::span<const glm::vec4> particles, const Projection& projection,
                                const DiscStyle& style) {
   radius_ = projection.focal * style.radius;
-  dots_ = radius_ < largest_dot;
-  // A dot of less than a pixel falls on the 2 x 2 pixels around it; a larger one is spread so far that no pixel has more
-  // than its own area of it.
-  const double side = std::sqrt(std::numbers::pi) * radius_;
-  dot_spread_ = std::max(0.0, 2 - 2 / side);
-  const auto reach = static_cast<float>(!dots_ ? radius_ : dot_spread_ > 0 ? 1.0 : 0.5);
-  const auto scale = static_cast<float>(projection.focal);
-  const glm::vec2 origin(projection.principal.x - projection.focal * projection.eye.x,
-                         projection.principal.y + projection.focal * projection.eye.y);
-  const auto low = static_cast<float>(style.range[0]);
+  const auto meters = static_cast<float>(projection.focal);
   const float steps = steps_per_unit(style);
-  const Colormap colors = packed(style.colors);
+  const glm::vec4 scale(meters, -meters, 0, steps);
+  const glm::vec4 offset(projection.principal.x - projection.focal * projection.eye.x,
+                         projection.principal.y + projection.focal * projection.eye.y, 0, -style.range[0] * steps);
+  are_dots_ = radius_ < largest_dot;
+  if (are_dots_) {
+    dots_.add(particles, scale, offset, radius_, style.colors);
+    return;
+  }
+  const auto reach = static_cast<float>(radius_);
   const glm::vec2 limit(static_cast<float>(width_) + reach, static_cast<float>(height_) + reach);
+  const Colormap colors = packed(style.colors);
   for (const glm::vec4& particle : particles) {
-    const float x = origin.x + scale * particle.x;
-    const float y = origin.y - scale * particle.y;
-    const float step = std::clamp((particle.w - low) * steps, 0.0f, 255.0f);
+    const glm::vec4 at = particle * scale + offset;
+    const float place = std::clamp(at.w, 0.0f, 255.0f);
     // Written so that what is not a number is left out.
-    if (!(x > -reach && x < limit.x && y > -reach && y < limit.y && step >= 0)) continue;
-    discs_.push_back({x, y, reach, 0, colors[static_cast<std::size_t>(step + 0.5f)]});
+    if (at.x > -reach && at.x < limit.x && at.y > -reach && at.y < limit.y && place >= 0)
+      discs_.push_back({at.x, at.y, reach, colors[static_cast<std::size_t>(place + 0.5f)]});
   }
   bins_.reset(bin_shift(radius_));
 }
@@ -92,47 +79,69 @@ void DiscPainter::project_deep(std::span<const glm::vec4> particles, const Proje
                                const DiscStyle& style) {
   radius_ = style.radius;
   focal_ = projection.focal;
-  dots_ = false;
+  are_dots_ = false;
+  const auto radius = static_cast<float>(style.radius);
+  const auto focal = static_cast<float>(projection.focal);
+  const glm::vec3 eye(projection.eye);
+  const glm::vec3 right(projection.right);
+  const glm::vec3 up(projection.up);
+  const glm::vec3 forward(projection.forward);
+  const glm::vec2 principal(projection.principal);
+  const glm::vec2 end(width_, height_);
   const auto low = static_cast<float>(style.range[0]);
   const float steps = steps_per_unit(style);
   const Colormap colors = packed(style.colors);
-  for (const glm::vec4& particle : particles) {
-    const double depth = projection.depth(Vec3(particle));
-    if (!(depth > style.radius)) continue;  // behind the eye, or the eye is inside
-    const glm::vec2 center(projection.pixel(Vec3(particle)));
-    const auto reach = static_cast<float>(std::max(least_ball, projection.focal * style.radius / depth));
-    const float step = std::clamp((particle.w - low) * steps, 0.0f, 255.0f);
-    if (!(center.x > -reach && center.x < static_cast<float>(width_) + reach && center.y > -reach &&
-          center.y < static_cast<float>(height_) + reach && step >= 0))
-      continue;
-    discs_.push_back(
-        {center.x, center.y, reach, static_cast<float>(depth), colors[static_cast<std::size_t>(step + 0.5f)]});
-  }
+  visible_balls_.begin(style.radius, projection.focal, particles.size());
+  visit_by_four(particles, [&](const std::array<Lanes, 4>& four) {
+    const Lanes x = four[0] - eye.x;
+    const Lanes y = four[1] - eye.y;
+    const Lanes z = four[2] - eye.z;
+    const auto along = [&](const glm::vec3& axis) { return axis.x * x + axis.y * y + axis.z * z; };
+    const Lanes depth = along(forward);
+    const Lanes scale = focal / depth;
+    const Lanes column = principal.x + scale * along(right);
+    const Lanes row = principal.y - scale * along(up);
+    const Lanes reach = larger(scale * radius, all(least_ball));
+    const Lanes place = (four[3] - low) * steps;
+    // Behind the eye is nothing, nor is a ball in which the eye is; and what is not a number is left out.
+    const Whole seen = (depth > radius) & (column > -reach) & (column < end.x + reach) & (row > -reach) &
+                       (row < end.y + reach) & (place == place);
+    const Whole color = truncated(larger(smaller(place, all(255)), all(0)) + 0.5f);
+    Whole packed_color{};
+    for (int k = 0; k < 4; ++k) packed_color[k] = static_cast<std::int32_t>(colors[color[k]]);
+    visible_balls_.add({column, row, std::bit_cast<Lanes>(packed_color), depth}, seen);
+  });
   bins_.reset(bin_shift(projection.pixels_per_metre() * style.radius));
 }
 
 void DiscPainter::arrange(std::span<const glm::vec4> particles, const Projection& projection, const DiscStyle& style,
                           std::vector<std::uint8_t>& stale) {
-  balls_ = projection.perspective;
+  are_balls_ = projection.perspective;
   opacity_ = style.opacity;
   discs_.clear();
-  if (balls_)
+  if (are_balls_) {
     project_deep(particles, projection, style);
-  else
+    visible_balls_.count(bins_);
+  } else {
     project_flat(particles, projection, style);
-  const std::span<const Disc> discs(discs_);
-  bins_.count(discs);
+    if (are_dots_)
+      dots_.count(bins_);
+    else
+      bins_.count(std::span<const Disc>(discs_));
+  }
   const std::size_t entries = bins_.close(stale);
-  upload(range_buffer_.id(), bins_.ranges());
+  ranges_.write(bins_.ranges());
   list_squares();
-  // One entry at least: a buffer of nothing cannot be mapped.
-  const auto bytes = static_cast<GLsizeiptr>(std::max<std::size_t>(entries, 1) * sizeof(Entry));
-  glNamedBufferData(entry_buffer_.id(), bytes, nullptr, GL_STREAM_DRAW);
-  auto* to = static_cast<Entry*>(
-      glMapNamedBufferRange(entry_buffer_.id(), 0, bytes, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT));
-  if (to == nullptr) check_drawn();
-  bins_.scatter(discs, to, [](const Disc& disc) { return Entry{disc.x, disc.y, disc.color, disc.depth}; });
-  glUnmapNamedBuffer(entry_buffer_.id());
+  void* to = entries_.map(entries * sizeof(ScreenBall));
+  if (are_balls_)
+    visible_balls_.scatter(bins_, static_cast<ScreenBall*>(to));
+  else if (are_dots_)
+    dots_.take(bins_, opacity_, static_cast<Dots::Texel*>(to));
+  else
+    bins_.scatter(std::span<const Disc>(discs_), static_cast<ScreenBall*>(to), [](const Disc& disc) {
+      return ScreenBall{disc.x, disc.y, disc.color, 0};
+    });
+  entries_.unmap();
 }
 
 void DiscPainter::list_squares() {
@@ -143,15 +152,15 @@ void DiscPainter::list_squares() {
     for (int column = 0; column < columns; ++column)
       if (bins_.any_to_do(column * square_size, row * square_size, square_size))
         squares_.push_back(static_cast<std::uint32_t>(row) << 16 | static_cast<std::uint32_t>(column));
-  upload(square_buffer_.id(), std::span<const std::uint32_t>(squares_));
+  square_texels_.write(std::span<const std::uint32_t>(squares_));
 }
 
 const GlProgram& DiscPainter::program(bool movie, bool overlay) {
   std::string defines;
   if (movie) defines += "#define YUV\n";
   if (overlay) defines += "#define OVERLAY\n";
-  if (balls_) defines += "#define BALLS\n";
-  if (dots_) defines += "#define DOTS\n";
+  if (are_balls_) defines += "#define BALLS\n";
+  if (are_dots_) defines += "#define DOTS\n";
   const auto found = programs_.find(defines);
   if (found != programs_.end()) return found->second;
   const int columns = movie ? 5 : 4;  // as in gather.frag
@@ -159,51 +168,51 @@ const GlProgram& DiscPainter::program(bool movie, bool overlay) {
       unrolled(std::string(assets::gather_frag()), {{"columns", columns}, {"count", 2 * columns}});
   GlProgram made = build_program(std::string(assets::gather_vert()), fragment, defines);
   int unit = 0;
-  for (const char* name : {"bins", "discs", "squares", "under_even", "under_odd", "over_even", "over_odd"})
+  for (const char* name : {"bins", "entries", "squares", "under", "over_even", "over_odd"})
     set(made.id(), name, unit++);
   return programs_.emplace(defines, std::move(made)).first->second;
 }
 
-void DiscPainter::prepare(GLuint framebuffer, const DiscOutput& output, const ColorTarget& background, bool overlay) {
+void DiscPainter::prepare(GLuint framebuffer, const DiscOutput& output, const Backdrop& background, bool overlay) {
   const GLuint id = program(output.movie, overlay).id();
   set(id, "bin_shift", bins_.shift());
   set(id, "bin_columns", bins_.columns());
   set(id, "radius", radius_);
+  // The smooth step's spread about its middle, (4/3)^2 / 20, adds as much to the area as this takes away.
+  set(id, "edge", std::sqrt(std::max(radius_ * radius_ - 4.0 / 45, 0.0)));
   set(id, "focal", focal_);
   set(id, "opacity", opacity_);
-  set(id, "dot_area", std::numbers::pi * radius_ * radius_);
-  set(id, "dot_spread", dot_spread_);
   set(id, "straight", output.straight ? 1 : 0);
   glProgramUniform3f(id, glGetUniformLocation(id, "background"), output.background.r, output.background.g,
                      output.background.b);
   glUseProgram(id);
-  glBindTextureUnit(0, range_texture_.id());
-  glBindTextureUnit(1, entry_texture_.id());
-  glBindTextureUnit(2, square_texture_.id());
+  glBindTextureUnit(0, ranges_.texture());
+  glBindTextureUnit(1, entries_.texture());
+  glBindTextureUnit(2, square_texels_.texture());
   // Whole squares, or the middle of one at the edge would be outside, and a point there is not drawn.
   const int columns = across(width_, block_width * square_size) * square_size;
   const int rows = across(height_, block_height * square_size) * square_size;
   glProgramUniform2i(id, glGetUniformLocation(id, "blocks"), columns, rows);
   set(id, "square_size", square_size);
-  glBindTextureUnit(3, background.even_rows());
-  glBindTextureUnit(4, background.odd_rows());
+  glBindTextureUnit(3, background.texels());
+  set(id, "under_columns", background.columns());
   glBindVertexArray(no_vertices_.id());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
   glViewport(0, 0, columns, rows);
 }
 
-void DiscPainter::draw(GLuint framebuffer, const DiscOutput& output, const ColorTarget& background) {
+void DiscPainter::draw(GLuint framebuffer, const DiscOutput& output, const Backdrop& background) {
   prepare(framebuffer, output, background, false);
   glEnable(GL_PROGRAM_POINT_SIZE);
   glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(squares_.size()));
 }
 
-void DiscPainter::draw(GLuint framebuffer, const DiscOutput& output, const ColorTarget& background,
+void DiscPainter::draw(GLuint framebuffer, const DiscOutput& output, const Backdrop& background,
                        const ColorTarget& layer, std::span<const IntBox> boxes) {
   if (boxes.empty()) return;
   prepare(framebuffer, output, background, true);
-  glBindTextureUnit(5, layer.even_rows());
-  glBindTextureUnit(6, layer.odd_rows());
+  glBindTextureUnit(4, layer.even_rows());
+  glBindTextureUnit(5, layer.odd_rows());
   glEnable(GL_SCISSOR_TEST);
   for (const IntBox& box : boxes) {
     glScissor(box.left / block_width, box.top / block_height, box.width() / block_width, box.height() / block_height);

@@ -1,4 +1,6 @@
 // Draws particles of one size as discs (2D) or lit balls (perspective), over a background, into a colour or a movie target.
+// The processor projects them and lists for each part of the picture those that touch it; the device shades. Discs smaller
+// than a pixel are all the processor's.
 //
 // Of the ways measured on the software renderer (points, quads, gathering by pixels or by blocks of pixels) this, by
 // blocks, is the fastest from a few thousand particles on; a graphics card draws it as well as any.
@@ -14,8 +16,11 @@
 #include "render/bins.h"
 #include "render/block_target.h"
 #include "render/colormap.h"
+#include "render/dots.h"
 #include "render/gl_objects.h"
 #include "render/projection.h"
+#include "render/stream_buffer.h"
+#include "render/visible_balls.h"
 
 namespace weir {
 
@@ -41,10 +46,9 @@ class DiscPainter {
   // something else than the background there; empty for a target that shows anything.
   void arrange(std::span<const glm::vec4> particles, const Projection& projection, const DiscStyle& style,
                std::vector<std::uint8_t>& stale);
-  // Into the framebuffer, which is not the background's.
-  void draw(GLuint framebuffer, const DiscOutput& output, const ColorTarget& background);
+  void draw(GLuint framebuffer, const DiscOutput& output, const Backdrop& background);
   // The same with a layer on top of discs and background, whole blocks of `box` only.
-  void draw(GLuint framebuffer, const DiscOutput& output, const ColorTarget& background, const ColorTarget& layer,
+  void draw(GLuint framebuffer, const DiscOutput& output, const Backdrop& background, const ColorTarget& layer,
             std::span<const IntBox> boxes);
 
  private:
@@ -52,39 +56,29 @@ class DiscPainter {
     float x = 0;  // pixels
     float y = 0;
     float reach = 0;
-    float depth = 0;  // m, in perspective
-    std::uint32_t color = 0;
-  };
-  // As in gather.frag.
-  struct Entry {
-    float x = 0;  // pixels
-    float y = 0;
     std::uint32_t color = 0;  // place in the map above 24 bits of blue, green and red
-    float depth = 0;          // m, in perspective
   };
   void project_flat(std::span<const glm::vec4> particles, const Projection& projection, const DiscStyle& style);
   void project_deep(std::span<const glm::vec4> particles, const Projection& projection, const DiscStyle& style);
   void list_squares();
   const GlProgram& program(bool movie, bool overlay);
-  void prepare(GLuint framebuffer, const DiscOutput& output, const ColorTarget& background, bool overlay);
+  void prepare(GLuint framebuffer, const DiscOutput& output, const Backdrop& background, bool overlay);
 
   int width_;
   int height_;
   Bins bins_;
   std::vector<Disc> discs_;
+  VisibleBalls visible_balls_;
   double radius_ = 1;  // pixels; of balls, metres
   double focal_ = 1;   // of balls
   double opacity_ = 1;
-  bool balls_ = false;
-  bool dots_ = false;
-  double dot_spread_ = 0;
-  GlBuffer entry_buffer_;
-  GlTexture entry_texture_;
-  GlBuffer range_buffer_;
-  GlTexture range_texture_;
+  bool are_balls_ = false;
+  bool are_dots_ = false;
+  Dots dots_;
+  StreamBuffer entries_;                // ScreenBall, also for discs, or Dots::Texel
+  StreamBuffer ranges_;                 // Bins::Range
   std::vector<std::uint32_t> squares_;  // as in gather.vert: what the bins leave to do
-  GlBuffer square_buffer_;
-  GlTexture square_texture_;
+  StreamBuffer square_texels_;
   GlVertexArray no_vertices_;
   std::map<std::string, GlProgram> programs_;
 };

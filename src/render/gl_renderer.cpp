@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "render/palette.h"
+#include "render/wall_view.h"
 
 namespace weir {
 
@@ -12,9 +13,8 @@ namespace {
 
 constexpr std::size_t movie_sheets = 2;
 
-// In 3D walls would hide the fluid: small dots, nearly clear, behind it.
-constexpr double deep_wall_size = 0.35;  // of the particle's radius
-constexpr double deep_wall_opacity = 0.35;
+// Walls in 3D are paler than the fluid, which is drawn over them wherever it is.
+constexpr double deep_wall_opacity = 0.5;
 
 std::uint32_t packed(Rgb color, std::uint32_t alpha) {
   return alpha << 24 | static_cast<std::uint32_t>(color.b) << 16 | static_cast<std::uint32_t>(color.g) << 8 | color.r;
@@ -48,10 +48,12 @@ void clear(Image& image, const IntBox& box) {
 }  // namespace
 
 GlRenderer::Drawing::Drawing(int width, int height)
-    : discs(width, height), empty(width, height), background(width, height) {}
+    : discs(width, height), empty(width, height), walls(width, height), background(width, height) {}
 
 GlRenderer::GlRenderer(const Scene& scene, const StillLife& still_life, const DeviceChoice& choice)
-    : width_(scene.render.size[0]),
+    : scene_(scene),
+      walls_(still_life.walls),
+      width_(scene.render.size[0]),
       height_(scene.render.size[1]),
       palette_(palette(scene.render.theme)),
       transparent_(scene.render.transparent),
@@ -61,12 +63,7 @@ GlRenderer::GlRenderer(const Scene& scene, const StillLife& still_life, const De
       overlay_(scene, color_range(scene, still_life)),
       camera_(scene, still_life, overlay_.content()),
       context_(EglContext::open(choice)) {
-  if (scene.dimension == 3) {
-    wall_style_.radius *= deep_wall_size;
-    wall_style_.opacity = deep_wall_opacity;
-  }
-  if (scene.render.walls)
-    for (const glm::vec3& wall : still_life.walls) walls_.emplace_back(wall, 0.0f);
+  if (scene.dimension == 3) wall_style_.opacity = deep_wall_opacity;
   const int padded = round_up(width_, block_width);
   fixed_ = on_blocks(overlay_.fixed_boxes(), padded, height_);
   changing_ = on_blocks(overlay_.changing_boxes(), padded, height_);
@@ -108,9 +105,14 @@ void GlRenderer::see(const Frame& frame) {
 }
 
 void GlRenderer::draw_background() {
+  std::vector<glm::vec4> seen;
+  if (scene_.render.walls)
+    for (const glm::vec3& wall : walls_)
+      if (!projection_.perspective || !hides_inside(scene_, Vec3(wall), projection_.eye)) seen.emplace_back(wall, 0.0f);
   std::vector<std::uint8_t> stale;
-  drawing_->discs.arrange(walls_, projection_, wall_style_, stale);
-  drawing_->discs.draw(drawing_->background.framebuffer(), {}, drawing_->empty);
+  drawing_->discs.arrange(seen, projection_, wall_style_, stale);
+  drawing_->discs.draw(drawing_->walls.framebuffer(), {}, drawing_->empty);
+  drawing_->background.take(drawing_->walls);
   arranged_ = -1;
 }
 

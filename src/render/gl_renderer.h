@@ -43,8 +43,9 @@ class GlRenderer final : public Renderer {
   struct Drawing {
     Drawing(int width, int height);
     DiscPainter discs;
-    ColorTarget empty;                          // nothing but the background's colour
-    ColorTarget background;                     // what does not move: drawn once for each view
+    Backdrop empty;                             // nothing but the background's colour
+    ColorTarget walls;                          // over that: drawn once for each view
+    Backdrop background;                        // the same again
     std::optional<Sheet<ColorTarget>> picture;  // made when first asked for
     std::vector<Sheet<MovieTarget>> movie;      // two, drawn to and read in turn
   };
@@ -56,13 +57,14 @@ class GlRenderer final : public Renderer {
   template <class Target>
   void draw_on(Sheet<Target>& sheet, const DiscOutput& output);
 
+  Scene scene_;
+  std::vector<glm::vec3> walls_;
   int width_;
   int height_;
   Palette palette_;
   bool transparent_;
   DiscStyle fluid_style_;
   DiscStyle wall_style_;
-  std::vector<glm::vec4> walls_;
   Overlay overlay_;
   CameraPath camera_;
   std::unique_ptr<EglContext> context_;

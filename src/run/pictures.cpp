@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/trace.h"
 #include "run/stopwatch.h"
 
 namespace weir {
@@ -37,8 +38,8 @@ void Pictures::open(const RunFolder& folder, const Provenance& provenance, int p
     encoding_ = std::thread([this] { encode_movie(); });
   }
   const bool pngs = scene_.output.frames || !stills_.empty();
-  const int workers = pngs ? std::max(1, png_workers) : 0;
-  for (int i = 0; i < workers; ++i) png_workers_.emplace_back([this] { write_pngs(); });
+  const int workers = pngs ? std::clamp(png_workers, 1, most_png_workers) : 0;
+  for (int i = 0; i < workers; ++i) png_workers_.emplace_back([this, i] { write_pngs(i); });
   for (int i = 0; i < image_buffers + workers; ++i) free_images_.push(std::make_unique<Image>());
 }
 
@@ -74,8 +75,10 @@ void Pictures::fail(std::exception_ptr error) {
 }
 
 void Pictures::draw_frames(const StillLife& still_life, const DeviceChoice& device, std::promise<std::string> ready) {
+  Trace::name_thread("drawing");
   std::unique_ptr<Renderer> renderer;
   try {
+    const Span span("start device");
     renderer = make_renderer(scene_, still_life, device);
     ready.set_value(renderer->gl_renderer());
   } catch (...) {
@@ -112,7 +115,10 @@ void Pictures::draw_one(Renderer& renderer, const Frame& frame) {
 void Pictures::draw_movie(Renderer& renderer, const Frame& frame) {
   MovieImage image = *free_movie_images_.pop();  // before it is drawn, so that the encoder holds up the solver
   const Stopwatch watch;
-  renderer.start(frame);
+  {
+    const Span span("arrange");
+    renderer.start(frame);
+  }
   under_way_.push_back(std::move(image));
   {
     const std::lock_guard lock(mutex_);
@@ -125,7 +131,10 @@ void Pictures::pass_on_movie(Renderer& renderer) {
   MovieImage image = std::move(under_way_.front());
   under_way_.pop_front();
   const Stopwatch watch;
-  renderer.finish(image);
+  {
+    const Span span("shade and read");
+    renderer.finish(image);
+  }
   {
     const std::lock_guard lock(mutex_);
     times_.render += watch.seconds();
@@ -136,7 +145,10 @@ void Pictures::pass_on_movie(Renderer& renderer) {
 void Pictures::draw_png(Renderer& renderer, const Frame& frame) {
   std::unique_ptr<Image> image = std::move(*free_images_.pop());
   const Stopwatch watch;
-  renderer.draw(frame, *image);
+  {
+    const Span span("draw");
+    renderer.draw(frame, *image);
+  }
   {
     const std::lock_guard lock(mutex_);
     times_.render += watch.seconds();
@@ -151,6 +163,7 @@ void Pictures::draw_png(Renderer& renderer, const Frame& frame) {
 }
 
 void Pictures::encode_movie() {
+  Trace::name_thread("encoding");
   bool broken = false;
   double seconds = 0;
   const auto attempt = [&](auto work) {
@@ -165,17 +178,27 @@ void Pictures::encode_movie() {
     seconds += watch.seconds();
   };
   while (std::optional<MovieImage> image = movie_images_.pop()) {
-    attempt([&] { movie_->write(*image); });
+    attempt([&] {
+      const Span span("encode");
+      movie_->write(*image);
+    });
     free_movie_images_.push(std::move(*image));
   }
-  attempt([&] { movie_->finish(); });
+  attempt([&] {
+    const Span span("finish movie");
+    movie_->finish();
+  });
   const std::lock_guard lock(mutex_);
   times_.encode += seconds;
 }
 
-void Pictures::write_pngs() {
+void Pictures::write_pngs(int worker) {
+  // Names live for ever; there are never more workers.
+  static constexpr std::array<const char*, most_png_workers> names = {"png 1", "png 2", "png 3", "png 4"};
+  Trace::name_thread(names[worker]);
   while (const std::optional<PngJob> job = png_jobs_.pop()) {
     const Stopwatch watch;
+    const Span span("write PNG");
     try {
       // Once a stage has failed the run is over; what is queued would only delay its end.
       if (!failed_) write_png(job->file, *job->image, scene_.render.transparent, provenance_, job->time);

@@ -36,6 +36,8 @@ struct PictureTimes {  // s, of work; PNG workers added up
 
 class Pictures {
  public:
+  static constexpr int most_png_workers = 4;  // beyond that the solver starves
+
   // Starts the drawing thread and makes the renderer on it. Throws DeviceError.
   Pictures(const Scene& scene, const StillLife& still_life, const DeviceChoice& device);
   ~Pictures();
@@ -78,7 +80,7 @@ class Pictures {
   void pass_on_movie(Renderer& renderer);
   void draw_png(Renderer& renderer, const Frame& frame);
   void encode_movie();
-  void write_pngs();
+  void write_pngs(int worker);
   void fail(std::exception_ptr error);
   void end_threads();
 

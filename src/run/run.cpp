@@ -22,7 +22,6 @@ namespace weir {
 
 namespace {
 
-constexpr int most_png_workers = 4;        // beyond that the solver starves
 constexpr double progress_interval = 0.1;  // s
 
 void refuse_wrong_scene(const Scene& scene) {
@@ -122,7 +121,7 @@ void Session::open() {
 void Session::open_files() {
   folder_.prepare();
   if (pictures_) {
-    pictures_->open(folder_, provenance_, std::min(threads_, most_png_workers));
+    pictures_->open(folder_, provenance_, threads_);
     if (scene_.output.movie) say(fmt::format("encoding with {}", pictures_->encoder()));
   }
   write_file(folder_.scene_file(), scene_text_);
@@ -290,8 +289,9 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     return result;
   }
   folder.refuse_other_run(options.force);
+  std::optional<Recording> recording;
   if (options.trace) {
-    Trace::start();
+    recording.emplace();
     Trace::name_thread("solver");
   }
   Session session(scene, options, folder, std::move(text), provenance);

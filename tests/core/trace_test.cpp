@@ -45,5 +45,16 @@ TEST(Trace, IsEmptyAgainAfterwards) {
   for (const auto& event : json["traceEvents"]) EXPECT_NE(event["ph"], "X");
 }
 
+TEST(Trace, EndsWithTheBlockThatRecords) {
+  try {
+    const Recording recording;
+    const Span span("span");
+    throw std::runtime_error("in the middle");
+  } catch (const std::runtime_error&) {
+    EXPECT_FALSE(Trace::on());
+  }
+  EXPECT_EQ(Trace::finish().find("span"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace weir

@@ -4,9 +4,12 @@
 
 #include <chrono>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <set>
 
+#include "core/trace.h"
 #include "output/file.h"
 #include "pipeline/fakes.h"
 #include "pipeline/small_scene.h"
@@ -199,6 +202,30 @@ TEST_F(Stages, RefuseAWrongSceneBeforeAnythingElse) {
   EXPECT_THROW(run_with({}), SceneError);
   EXPECT_FALSE(fs::exists(options_.folder));
   EXPECT_THAT(record().drawn, IsEmpty());
+}
+
+TEST_F(Stages, AreInTheTraceOnTheirThreads) {
+  options_.trace = true;
+  scene_.output.stills = {0.1};
+  EXPECT_EQ(run_with({}).exit, ExitCode::done);
+  std::map<int, std::string> threads;
+  std::set<std::pair<std::string, std::string>> spans;  // thread and span
+  const auto events = nlohmann::json::parse(read_file(options_.folder / "trace.json"))["traceEvents"];
+  for (const auto& event : events)
+    if (event["ph"] == "M") threads[event["tid"]] = event["args"]["name"];
+  for (const auto& event : events)
+    if (event["ph"] == "X") spans.emplace(threads[event["tid"]], event["name"]);
+  for (const auto& [thread, span] :
+       {std::pair("drawing", "start device"), std::pair("drawing", "arrange"), std::pair("drawing", "shade and read"),
+        std::pair("drawing", "draw"), std::pair("encoding", "encode"), std::pair("encoding", "finish movie")})
+    EXPECT_EQ(spans.count({thread, span}), 1U) << thread << " " << span;
+  EXPECT_EQ(spans.count({"png 1", "write PNG"}) + spans.count({"png 2", "write PNG"}), 1U);
+}
+
+TEST_F(Stages, EndTheTraceOfARunThatNeverBegan) {
+  options_.trace = true;
+  EXPECT_THROW(run_with({.no_device = true}), DeviceError);
+  EXPECT_FALSE(Trace::on());
 }
 
 TEST_F(Stages, AreAccountedForInTheManifest) {

@@ -62,6 +62,7 @@ Still cup() {
   still.scene.particle_spacing = still.still_life.particle_spacing = dx;
   still.still_life.max_speed_estimate = 4.43;
   still.scene.fluid.volumes.push_back({Box{Vec3(0), Vec3(0.8)}, Vec3(0), Vec3(0)});
+  still.scene.walls = {{.shape = Tank{Vec3(0), Vec3(0.8, 0.8, 1.2), {Side::top}}, .layers = 1, .holes = {}}};
   for (int i = -1; i < 9; ++i)
     for (int j = -1; j < 9; ++j)
       for (int k = -1; k < 12; ++k)

@@ -1,0 +1,65 @@
+// Discs that are too small to be seen round, added up pixel by pixel on the processor. There is no shape to shade in
+// them, and to sort each into a list for the device costs the processor more than to add it up at once, whatever device
+// then draws.
+//
+// Sums are whole numbers, so they do not depend on the order of the dots. They hold until a pixel is covered 8,000
+// times over.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <glm/glm.hpp>
+#include <memory>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "render/bins.h"
+#include "render/colormap.h"
+
+namespace weir {
+
+// Up to this radius, pixels, a disc is spread as a dot: the largest of which no pixel has more than its own area.
+inline constexpr double largest_dot = std::numbers::inv_sqrtpi * 2;
+
+class Dots {
+ public:
+  // What the device reads: four pixels of a row, 0xAABBGGRR, the colour not multiplied with alpha.
+  using Texel = std::array<std::uint32_t, 4>;
+
+  Dots(int width, int height);  // pixels
+
+  // Adds dots of this radius, pixels: a particle times `scale` plus `offset` is the dot's place in the picture, pixels,
+  // then nothing, then the place of its colour (0xRRGGBB) in the map. What is not a number is left out.
+  void add(std::span<const glm::vec4> particles, const glm::vec4& scale, const glm::vec4& offset, double radius,
+           const Colormap& colors);
+
+  // Sets the bins to squares and says which hold anything, and how many texels of each there will be.
+  void count(Bins& bins) const;
+  // Writes what the squares hold to where the bins have it, block by block: four texels of the upper row, then of the
+  // lower. Nothing is left then.
+  void take(const Bins& bins, double opacity, Texel* texels);
+
+ private:
+  // Red, green and blue, each times the share of the pixel in 1/1024, and the sum of those shares.
+  using Sum = std::uint32_t __attribute__((vector_size(16)));
+  struct Free {
+    void operator()(Sum* sums) const { std::free(sums); }
+  };
+
+  template <int Side>
+  void add_to_pixels(std::span<const glm::vec4> particles, const glm::vec4& scale, const glm::vec4& offset,
+                     double radius, const Colormap& colors);
+  static Texel resolved(const Sum* sums, float opacity);
+
+  int width_;
+  int height_;
+  // Squares with one more on every side for what lies just outside of the picture, so that nobody has to ask.
+  std::size_t square_stride_;
+  std::size_t square_rows_;
+  std::unique_ptr<Sum[], Free> sums_;  // of pixels, all 0 between pictures
+  std::vector<std::uint8_t> filled_;   // for each square
+};
+
+}  // namespace weir
