@@ -30,6 +30,12 @@ inline double sound_speed_of_state(double k, int exponent, double rest_density) 
   return std::sqrt(exponent * k / rest_density);
 }
 
+// c / c0 at this density over the rest density: c^2 = dp/drho. One for stretched fluid, whose sound is slower.
+// [Cole48, compressed sound]
+inline double sound_speed_ratio(double compression, int exponent) {
+  return std::sqrt(integer_power(std::max(compression, 1.0), exponent - 1));
+}
+
 // The inverse: k, Pa. [Cole48, stiffness]
 inline double stiffness_of_state(double c0, int exponent, double rest_density) {
   return rest_density * c0 * c0 / exponent;

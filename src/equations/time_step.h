@@ -19,8 +19,8 @@ inline double cfl_number(double dt, double v_max, double h) { return dt * v_max 
 // dt <= lambda h / v_max, s. [Hinsch24 ch. 6.6.2, dt]
 inline double velocity_limit(double lambda, double h, double v_max) { return lambda * h / v_max; }
 
-// dt <= factor h / (c0 + v_max), s: sound may not outrun the kernel. [Monaghan92, sound]
-inline double acoustic_limit(double factor, double h, double c0, double v_max) { return factor * h / (c0 + v_max); }
+// dt <= factor h / (c + v_max), s: sound may not outrun the kernel. [Monaghan92, sound]
+inline double acoustic_limit(double factor, double h, double c, double v_max) { return factor * h / (c + v_max); }
 
 // dt <= factor sqrt(h / a_max), s. [Monaghan92, force]
 inline double force_limit(double factor, double h, double a_max) { return factor * std::sqrt(h / a_max); }

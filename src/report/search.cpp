@@ -46,13 +46,13 @@ LinePlot search_figure(const Scene& tower, const std::vector<std::int64_t>& part
   plot.title = "Tower: index sort against naive search";
   plot.x = {"fluid particles", "particles", true};
   plot.y = {"time in ms", "time[ms]", true};
-  plot.legend = "search, what";
+  plot.legend = "of";
   plot.series_column = "case";
   Team team(thread_count(options.threads));
   for (const auto& [search, name] :
        {std::pair{NeighbourSearch::index_sort, "index sort"}, std::pair{NeighbourSearch::naive, "naive"}}) {
-    Series alone{fmt::format("{}, search alone", name), {}, {}};
-    Series step{fmt::format("{}, step with search", name), {}, {}};
+    Series alone{name, {}, {}};
+    Series step{fmt::format("step, {}", name), {}, {}};
     for (const std::int64_t n : particles) {
       Scene scene = tower_of(tower, n);
       scene.solver.neighbour_search = search;

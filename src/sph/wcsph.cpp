@@ -97,8 +97,11 @@ void Wcsph<Dim>::compute_density_and_pressure() {
   input.id = fluid_.id.data();
   input.density = fluid_.density.data();
   input.pressure = fluid_.pressure.data();
-  team_.for_each(neighbours_.tiling().tiles().size(),
-                 [&](std::size_t tile) { loops_.density(input, static_cast<std::int32_t>(tile)); });
+  std::vector<float> largest(neighbours_.tiling().tiles().size());
+  team_.for_each(largest.size(),
+                 [&](std::size_t tile) { largest[tile] = loops_.density(input, static_cast<std::int32_t>(tile)); });
+  max_density_ = 0;
+  for (const float each : largest) max_density_ = std::max(max_density_, static_cast<double>(each));
 }
 
 template <int Dim>

@@ -45,6 +45,7 @@ class Wcsph {
   std::optional<Escape> integrate(double dt);
 
   double max_speed() const { return max_speed_; }                // m/s, of the current velocities
+  double max_density() const { return max_density_; }            // kg/m^Dim, of the last densities
   double max_acceleration() const { return max_acceleration_; }  // m/s^2, of the last accelerations
   double step_reach() const { return support_radius_; }          // m; farther in one step and neighbours mean nothing
 
@@ -77,6 +78,7 @@ class Wcsph {
   WallParticles<Dim> walls_;
   Neighbours<Dim> neighbours_;
   double max_speed_ = 0;
+  double max_density_ = 0;
   double max_acceleration_ = 0;
 };
 

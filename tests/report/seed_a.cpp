@@ -178,8 +178,7 @@ TEST(SeedA, SearchFigureComparesBothSearchesOnTheSameTowers) {
     EXPECT_THAT(series.x, testing::ElementsAre(200, 800)) << "10 x 20 and 20 x 40 particles";
     EXPECT_THAT(series.y, testing::Each(testing::Gt(0)));
   }
-  EXPECT_THAT(labels, testing::ElementsAre("index sort, search alone", "index sort, step with search",
-                                           "naive, search alone", "naive, step with search"));
+  EXPECT_THAT(labels, testing::ElementsAre("index sort", "step, index sort", "naive", "step, naive"));
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ template <int Dim>
 using ListPairs = void (*)(const ListInput<Dim>& in, std::int32_t tile, IntBuffer& fluid_list, IntBuffer& wall_list,
                            IntBuffer& scratch);
 
-// Densities of one tile, and p / rho^2 from them.
+// Densities of one tile, and p / rho^2 from them. Returns the largest density.
 template <int Dim>
 struct DensityInput {
   PairInput<Dim> pairs;
@@ -31,7 +31,7 @@ struct DensityInput {
   float* pressure = nullptr;
 };
 template <int Dim>
-using ComputeDensity = void (*)(const DensityInput<Dim>& in, std::int32_t tile);
+using ComputeDensity = float (*)(const DensityInput<Dim>& in, std::int32_t tile);
 
 // Accelerations of one tile: from the fluid, from walls, then gravity.
 template <int Dim>

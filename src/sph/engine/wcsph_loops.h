@@ -30,7 +30,7 @@ WEIR_INLINE void fill(float* values, const Tile& slots, float value) {
 }
 
 template <int Dim, template <int> class Kernel>
-void density(const DensityInput<Dim>& in, std::int32_t tile) {
+float density(const DensityInput<Dim>& in, std::int32_t tile) {
   const Tile slots = in.pairs.tiles[tile];
   const auto kernel = kernel_at<Kernel, Dim>(in.h);
   const DensityPass<Dim, KernelAt<Kernel<Dim>, Real>> pass{kernel};
@@ -39,6 +39,7 @@ void density(const DensityInput<Dim>& in, std::int32_t tile) {
   visit_fluid<Dim>(in.pairs, tile, pass, sums);
   if (in.walls) visit_walls<Dim>(in.pairs, tile, pass, sums);
 
+  Lanes largest;
   for (std::int32_t i = slots.begin; i < slots.end; i += lanes) {
     const Mask particle = not_negative(in.id + i);
     const Lanes rest_density = in.rest_density;
@@ -47,8 +48,10 @@ void density(const DensityInput<Dim>& in, std::int32_t tile) {
     const Lanes p = pressure_of_state(rho / rest_density, Lanes(in.stiffness), in.exponent);
     const Lanes kept = in.clamp_negative_pressure ? positive_part(p) : p;
     store(rho, in.density + i);
+    largest = larger(largest, rho);
     store(select(particle, pressure_over_density_squared(kept, rho), Lanes()), in.pressure + i);
   }
+  return greatest(largest);
 }
 
 template <int Dim>
