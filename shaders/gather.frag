@@ -5,8 +5,8 @@
 // BALLS: lit balls in perspective instead of discs. DOTS: discs that the processor has added up to pixels. OVERLAY: a layer
 // on top. YUV: out comes Y'CbCr of a movie, otherwise RGBA.
 //
-// Pixels do not depend on the order of the discs in a bin: what decides overlaps are minima, and coverage is summed in
-// whole 1/1024, which floating point adds exactly.
+// Pixels do not depend on the order in which particles came: what decides overlaps of discs are minima, balls are listed in
+// an order of their own, and their coverage is summed in whole 1/1024, which floating point adds exactly.
 
 uniform usamplerBuffer bins;      // for each the first entry and the one past the last; past before first: nothing to do
 uniform usamplerBuffer entries;   // discs as in disc_painter.h, or DOTS as in dots.h
@@ -38,7 +38,7 @@ layout(location = 1) out uvec4 odd_row;
 const int first_column = 4 - columns;
 const int count = 2 * columns;
 const float full = 1024.0;  // coverage of a whole pixel
-const float far = 1e38;     // squared pixels
+const float far = 1e38;     // squared pixels; of BALLS, metres
 
 vec3 unpack_rgb(uint color) { return vec3(color & 255u, color >> 8 & 255u, color >> 16 & 255u); }
 

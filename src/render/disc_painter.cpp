@@ -91,7 +91,8 @@ void DiscPainter::project_deep(std::span<const glm::vec4> particles, const Proje
   const auto low = static_cast<float>(style.range[0]);
   const float steps = steps_per_unit(style);
   const Colormap colors = packed(style.colors);
-  visible_balls_.begin(style.radius, projection.focal, particles.size());
+  bins_.reset(bin_shift(projection.pixels_per_metre() * style.radius));
+  visible_balls_.begin(style.radius, projection.focal, particles.size(), bins_);
   visit_by_four(particles, [&](const std::array<Lanes, 4>& four) {
     const Lanes x = four[0] - eye.x;
     const Lanes y = four[1] - eye.y;
@@ -111,7 +112,6 @@ void DiscPainter::project_deep(std::span<const glm::vec4> particles, const Proje
     for (int k = 0; k < 4; ++k) packed_color[k] = static_cast<std::int32_t>(colors[color[k]]);
     visible_balls_.add({column, row, std::bit_cast<Lanes>(packed_color), depth}, seen);
   });
-  bins_.reset(bin_shift(projection.pixels_per_metre() * style.radius));
 }
 
 void DiscPainter::arrange(std::span<const glm::vec4> particles, const Projection& projection, const DiscStyle& style,

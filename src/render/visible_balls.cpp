@@ -43,48 +43,49 @@ inline VisibleBalls::Box VisibleBalls::pixels_of(const ScreenBall& ball) const {
           static_cast<int>(std::min(ball.y + reach, static_cast<float>(height_ - 1))) + 1};
 }
 
-// What most balls are asked, and all but the skin is done with then.
-inline bool VisibleBalls::is_buried(const ScreenBall& ball) const {
-  const int x = static_cast<int>(std::clamp(ball.x, 0.0f, static_cast<float>(width_ - 1)));
-  const int y = static_cast<int>(std::clamp(ball.y, 0.0f, static_cast<float>(height_ - 1)));
-  return open_near_[static_cast<std::size_t>(y >> row_shift_) * bin_columns_ + (x >> column_shift_)] == 0;
-}
-
-void VisibleBalls::begin(double radius, double focal, std::size_t most) {
+void VisibleBalls::begin(double radius, double focal, std::size_t most, const Bins& bins) {
   radius_ = static_cast<float>(radius);
   focal_ = static_cast<float>(focal);
+  column_shift_ = std::countr_zero(static_cast<unsigned>(block_width)) + bins.shift();
+  row_shift_ = std::countr_zero(static_cast<unsigned>(block_height)) + bins.shift();
+  bin_columns_ = bins.columns();
+  bin_rows_ = static_cast<int>(bins.size()) / bin_columns_;
   size_ = 0;
-  if (balls_.size() < most + 4) balls_.resize(most + 4);
+  if (balls_.size() < most + 4) {
+    balls_.resize(most + 4);
+    places_.resize(most + 4);
+    sorted_.resize(most + 4);
+  }
   begins_.assign(layers + 2, 0);
 }
 
-inline std::size_t VisibleBalls::layer_of(float depth) const {
-  return static_cast<std::size_t>(std::min(depth / radius_, static_cast<float>(layers - 1)));
-}
-
 void VisibleBalls::add(const std::array<Lanes, 4>& four, Whole seen) {
+  const auto& [x, y, color, depth] = four;
+  const Whole layer = truncated(smaller(depth * (1 / radius_), all(layers - 1)));
+  const auto pixel = [](Lanes at, int size) {
+    return truncated(larger(smaller(at, all(static_cast<float>(size - 1))), all(0)));
+  };
+  const Whole column = pixel(x, width_) >> column_shift_;
+  const Whole row = pixel(y, height_) >> row_shift_;
   const std::array<Lanes, 4> balls = transposed(four);
   for (int k = 0; k < 4; ++k) {
     balls_[size_] = std::bit_cast<ScreenBall>(balls[k]);
+    places_[size_] = {static_cast<std::uint32_t>(layer[k]),
+                      static_cast<std::uint32_t>(row[k] * bin_columns_ + column[k])};
     if (seen[k] == 0) continue;
     ++size_;
-    ++begins_[layer_of(four[3][k]) + 2];
+    ++begins_[layer[k] + 2];
   }
 }
 
 void VisibleBalls::sort() {
   for (std::size_t k = 2; k < begins_.size(); ++k) begins_[k] += begins_[k - 1];
-  if (sorted_.size() < size_) sorted_.resize(size_);
   // Each beginning moves on to its end, which is the next one's beginning.
-  for (std::size_t k = 0; k < size_; ++k) sorted_[begins_[layer_of(balls_[k].depth) + 1]++] = balls_[k];
+  for (std::uint32_t k = 0; k < size_; ++k) sorted_[begins_[places_[k].layer + 1]++] = {places_[k].bin, k};
 }
 
 void VisibleBalls::count(Bins& bins) {
   sort();
-  column_shift_ = std::countr_zero(static_cast<unsigned>(block_width)) + bins.shift();
-  row_shift_ = std::countr_zero(static_cast<unsigned>(block_height)) + bins.shift();
-  bin_columns_ = bins.columns();
-  bin_rows_ = static_cast<int>(bins.size()) / bin_columns_;
   covered_.assign(stride_ * height_, none);
   closed_.assign(bins.size(), 0);
   open_near_.assign(bins.size(), 0);
@@ -97,9 +98,14 @@ void VisibleBalls::count(Bins& bins) {
   for (std::size_t layer = 0; layer < layers && begins_[layer] < size_; ++layer) {
     in_this_.clear();
     const bool small = std::max(focal_ / static_cast<float>(layer), least_ball) < near;
-    for (std::uint32_t ball = begins_[layer]; ball < begins_[layer + 1]; ++ball)
-      if (!(small && is_buried(sorted_[ball])) && lists(ball, bins)) in_this_.push_back(ball);
-    for (const std::uint32_t ball : in_front_) cover(sorted_[ball]);
+    for (std::size_t k = begins_[layer]; k < begins_[layer + 1]; ++k) {
+      // All that most balls are asked.
+      if (small && open_near_[sorted_[k].bin] == 0) continue;
+      __builtin_prefetch(&balls_[sorted_[k].ball]);  // they lie anywhere
+      in_this_.push_back(sorted_[k].ball);
+    }
+    std::erase_if(in_this_, [&](std::uint32_t ball) { return !lists(ball, bins); });
+    for (const std::uint32_t ball : in_front_) cover(balls_[ball]);
     std::swap(in_front_, in_this_);
   }
 }
@@ -112,7 +118,7 @@ void VisibleBalls::visit_near(int column, int row, const Visit& visit) {
 }
 
 bool VisibleBalls::lists(std::uint32_t ball, Bins& bins) {
-  const Box touched = pixels_of(sorted_[ball]);
+  const Box touched = pixels_of(balls_[ball]);
   const int last_column = std::min(touched.right >> column_shift_, bin_columns_ - 1);
   const int last_row = (touched.bottom - 1) >> row_shift_;
   bool listed = false;
@@ -185,7 +191,7 @@ void VisibleBalls::cover(const ScreenBall& ball) {
 
 void VisibleBalls::scatter(Bins& bins, ScreenBall* entries) {
   in_bins_.resize(entries_.size());
-  for (const Entry& entry : entries_) in_bins_[bins.next(entry.bin)] = sorted_[entry.ball];
+  for (const Entry& entry : entries_) in_bins_[bins.next(entry.bin)] = balls_[entry.ball];
   const auto order = [](const ScreenBall& ball) { return std::tuple(ball.depth, ball.x, ball.y, ball.color); };
   for (const Bins::Range& range : bins.ranges())
     if (range.first < range.past)

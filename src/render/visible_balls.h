@@ -30,8 +30,9 @@ class VisibleBalls {
  public:
   VisibleBalls(int width, int height);  // pixels
 
-  // Balls of this radius, m, seen with so many pixels per metre at one metre of depth; `most` of them will be added.
-  void begin(double radius, double focal, std::size_t most);
+  // Balls of this radius, m, seen with so many pixels per metre at one metre of depth, of which `most` will be added;
+  // for these bins, which have been reset.
+  void begin(double radius, double focal, std::size_t most, const Bins& bins);
   // Adds those of four {x, y, color as bits, depth} that are `seen`: not 0.
   void add(const std::array<Lanes, 4>& four, Whole seen);
   // Counts the entries.
@@ -49,14 +50,16 @@ class VisibleBalls {
   };
   struct Entry {
     std::uint32_t bin = 0;
-    std::uint32_t ball = 0;  // in sorted_
+    std::uint32_t ball = 0;  // in balls_
+  };
+  struct Place {
+    std::uint32_t layer = 0;
+    std::uint32_t bin = 0;  // the ball's centre, or what of the picture is nearest to it
   };
 
-  std::size_t layer_of(float depth) const;
   void sort();
   float reach_of(const ScreenBall& ball) const;  // pixels
   Box pixels_of(const ScreenBall& ball) const;
-  bool is_buried(const ScreenBall& ball) const;
   bool lists(std::uint32_t ball, Bins& bins);
   template <class Visit>
   void visit_near(int column, int row, const Visit& visit);
@@ -73,9 +76,10 @@ class VisibleBalls {
   float radius_ = 0;  // m
   float focal_ = 0;
   std::vector<ScreenBall> balls_;  // as they came, and room for more
+  std::vector<Place> places_;
   std::size_t size_ = 0;
   std::vector<std::uint32_t> begins_;    // of each layer in sorted_
-  std::vector<ScreenBall> sorted_;       // from the front to the back, layer by layer
+  std::vector<Entry> sorted_;            // from the front to the back, layer by layer, with the bin of the centre
   std::vector<std::uint8_t> covered_;    // of pixels, in 1/65, with a margin on the right; see .cpp
   std::vector<std::uint8_t> closed_;     // bins, all of whose pixels are
   std::vector<std::uint8_t> open_near_;  // for each bin, how many around it are not

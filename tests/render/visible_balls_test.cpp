@@ -42,7 +42,7 @@ Lists lists_of(const std::vector<ScreenBall>& balls, const View& view) {
   VisibleBalls visible(width, height);
   Bins bins(width, height);
   bins.reset(view.shift);
-  visible.begin(view.radius, view.focal, balls.size());
+  visible.begin(view.radius, view.focal, balls.size(), bins);
   for (const ScreenBall& ball : balls)
     visible.add({Lanes{ball.x}, Lanes{ball.y}, Lanes{std::bit_cast<float>(ball.color)}, Lanes{ball.depth}}, Whole{-1});
   visible.count(bins);
