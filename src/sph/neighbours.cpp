@@ -91,6 +91,8 @@ void Neighbours<Dim>::sort(FluidParticles<Dim>& fluid) {
   const std::size_t tiles = fluid_tiling_.tiles().size();
   lists_.fluid.resize(tiles);
   lists_.walls.resize(tiles);
+  near_lists_.fluid.resize(tiles);
+  near_lists_.walls.resize(tiles);
   moved_.assign(tiles, {});
   moved_then_.resize(tiles * tile_codes<Dim>);
   sorted_ = true;
@@ -189,6 +191,14 @@ PairInput<Dim> Neighbours<Dim>::pairs(const FluidParticles<Dim>& fluid, const Wa
   input.fluid_lists = lists_.fluid.data();
   input.wall_lists = lists_.walls.data();
   input.edge = static_cast<float>(fluid_tiling_.lattice().edge());
+  return input;
+}
+
+template <int Dim>
+PairInput<Dim> Neighbours<Dim>::near_pairs(const FluidParticles<Dim>& fluid, const WallParticles<Dim>& walls) const {
+  PairInput<Dim> input = pairs(fluid, walls);
+  input.fluid_lists = near_lists_.fluid.data();
+  input.wall_lists = near_lists_.walls.data();
   return input;
 }
 

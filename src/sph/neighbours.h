@@ -48,6 +48,9 @@ class Neighbours {
   const Tiling<Dim>& tiling() const { return fluid_tiling_; }
   PairInput<Dim> pairs(const FluidParticles<Dim>& fluid, const WallParticles<Dim>& walls) const;
   const PairLists& lists() const { return lists_; }
+  // What the first loop over pairs leaves of the lists: those within the support as the particles stand.
+  PairLists& near_lists() { return near_lists_; }
+  PairInput<Dim> near_pairs(const FluidParticles<Dim>& fluid, const WallParticles<Dim>& walls) const;
 
  private:
   void sort(FluidParticles<Dim>& fluid);
@@ -63,6 +66,7 @@ class Neighbours {
   Tiling<Dim> fluid_tiling_;
   Tiling<Dim> wall_tiling_;
   PairLists lists_;
+  PairLists near_lists_;
   std::vector<std::int32_t> fluid_beside_;  // see TilesView::adjacent
   std::vector<std::int32_t> walls_beside_;
   std::vector<DisplacementBox<Dim>> moved_;       // of each tile, since it was sorted

@@ -87,6 +87,10 @@ template <int Dim>
 void Wcsph<Dim>::compute_density_and_pressure() {
   DensityInput<Dim> input;
   input.pairs = neighbours_.pairs(fluid_, walls_);
+  input.support_radius = static_cast<float>(support_radius_);
+  PairLists& near = neighbours_.near_lists();
+  input.near_fluid_lists = near.fluid.data();
+  input.near_wall_lists = near.walls.data();
   input.walls = walls_.slots() > 0;
   input.h = h_;
   input.m = static_cast<float>(mass_);
@@ -107,7 +111,7 @@ void Wcsph<Dim>::compute_density_and_pressure() {
 template <int Dim>
 void Wcsph<Dim>::compute_accelerations() {
   AccelerationArguments<Dim> input;
-  input.pairs = neighbours_.pairs(fluid_, walls_);
+  input.pairs = neighbours_.near_pairs(fluid_, walls_);
   input.h = h_;
   input.m = mass_;
   input.rest_density = static_cast<float>(rest_density_);

@@ -15,10 +15,14 @@ template <int Dim>
 using ListPairs = void (*)(const ListInput<Dim>& in, std::int32_t tile, IntBuffer& fluid_list, IntBuffer& wall_list,
                            IntBuffer& scratch);
 
-// Densities of one tile, and p / rho^2 from them. Returns the largest density.
+// Densities of one tile, and p / rho^2 from them; and the lists without what is beyond the support, for loops over the
+// same places. Returns the largest density.
 template <int Dim>
 struct DensityInput {
   PairInput<Dim> pairs;
+  float support_radius = 0;               // m
+  IntBuffer* near_fluid_lists = nullptr;  // per tile
+  IntBuffer* near_wall_lists = nullptr;
   bool walls = false;  // whether there are any
   double h = 0;        // m
   float m = 0;         // kg
@@ -36,7 +40,7 @@ using ComputeDensity = float (*)(const DensityInput<Dim>& in, std::int32_t tile)
 // Accelerations of one tile: from the fluid, from walls, then gravity.
 template <int Dim>
 struct AccelerationArguments {
-  PairInput<Dim> pairs;
+  PairInput<Dim> pairs;  // near lists do
   double h = 0;  // m
   double m = 0;  // kg
   float rest_density = 0;

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "simd/lanes.h"
+#include "sph/engine/narrowed.h"
 #include "sph/pair_lists.h"
 #include "sph/passes.h"
 
@@ -37,10 +38,11 @@ WEIR_INLINE Vec<Dim, Lanes> seen_from(const Vec<Dim, Lanes>& row, int code, floa
   return shifted;
 }
 
-// Adds what the fluid neighbours of a tile's particles contribute to `sums`, one array per component.
-template <int Dim, class Pass>
-WEIR_FLATTEN void visit_fluid(const PairInput<Dim>& in, std::int32_t tile, const Pass& constants,
-                              float* const* sum_of) {
+// Adds what the fluid neighbours of a tile's particles contribute to `sums`, one array per component. `narrowed` gets the
+// clusters that did.
+template <int Dim, class Pass, class Lists>
+WEIR_FLATTEN void visit_fluid(const PairInput<Dim>& in, std::int32_t tile, const Pass& constants, float* const* sum_of,
+                              Lists& narrowed) {
   constexpr int components = Pass::components;
   // Copies, which no store to a sum could change: they stay in registers.
   const Pass pass = constants;
@@ -56,10 +58,10 @@ WEIR_FLATTEN void visit_fluid(const PairInput<Dim>& in, std::int32_t tile, const
     const auto own = pass.template state<Lanes>(load_i);
     Vec<components, Lanes> sum;
 
-    const auto visit_both = [&](std::int32_t j, auto limit_to) {
+    const auto visit_both = [&](std::int32_t j, auto see) {
       const auto other = pass.template state<Lanes>(LoadColumns{j});
       const Vec<Dim, Lanes> x_ij = difference<Dim>(x_i, in.x, j);
-      const Lanes r2 = limit_to(dot(x_ij, x_ij));
+      const Lanes r2 = see(dot(x_ij, x_ij));
       const Vec<components, Lanes> action = pass.fluid(own, other, x_ij, r2);
       sum += action;
       Vec<components, Lanes> reaction;
@@ -79,24 +81,39 @@ WEIR_FLATTEN void visit_fluid(const PairInput<Dim>& in, std::int32_t tile, const
     // In the row's own cluster each pair stands twice, and each particle beside itself: those after the row remain.
     const Lanes last = row_numbers() + Lanes(static_cast<float>(i % cluster));
     visit_both(i - i % cluster, [&](Lanes r2) { return select(less(last, column), r2, Lanes(beyond_support)); });
-    for (std::int32_t n = *list++; n > 0; --n) visit_both(*list++, [](Lanes r2) { return r2; });
+    narrowed.begin();
+    for (std::int32_t n = *list++; n > 0; --n) {
+      const std::int32_t j = *list++;
+      visit_both(j, [&](Lanes r2) {
+        narrowed.offer(j, r2);
+        return r2;
+      });
+    }
+    narrowed.end_count();
 
     while (const std::int32_t header = *list++) {
-      const Vec<Dim, Lanes> x_seen = seen_from<Dim>(x_i, header & ((1 << segment_code_bits) - 1), in.edge);
+      const int code = header & ((1 << segment_code_bits) - 1);
+      const Vec<Dim, Lanes> x_seen = seen_from<Dim>(x_i, code, in.edge);
+      narrowed.begin();
       for (std::int32_t n = header >> segment_code_bits; n > 0; --n) {
         const std::int32_t j = *list++;
         const auto other = pass.template state<Lanes>(LoadColumns{j});
         const Vec<Dim, Lanes> x_ij = difference<Dim>(x_seen, in.x, j);
-        sum += pass.fluid(own, other, x_ij, dot(x_ij, x_ij));
+        const Lanes r2 = dot(x_ij, x_ij);
+        narrowed.offer(j, r2);
+        sum += pass.fluid(own, other, x_ij, r2);
       }
+      narrowed.end_segment(code);
     }
+    narrowed.append(0);
     for (int c = 0; c < components; ++c) add_rows(sum[c], sums[c] + i);
   }
 }
 
 // Adds what the wall neighbours of a tile's particles contribute; rows without any are not looked at.
-template <int Dim, class Pass>
-WEIR_FLATTEN void visit_walls(const PairInput<Dim>& in, std::int32_t tile, const Pass& constants, float* const* sums) {
+template <int Dim, class Pass, class Lists>
+WEIR_FLATTEN void visit_walls(const PairInput<Dim>& in, std::int32_t tile, const Pass& constants, float* const* sums,
+                              Lists& narrowed) {
   constexpr int components = Pass::components;
   const Pass pass = constants;
   const std::int32_t* list = in.wall_lists[tile].data();
@@ -106,15 +123,27 @@ WEIR_FLATTEN void visit_walls(const PairInput<Dim>& in, std::int32_t tile, const
     for (int d = 0; d < Dim; ++d) x_i[d] = load_i(in.x[d]);
     const auto own = pass.template state<Lanes>(load_i);
     Vec<components, Lanes> sum;
+    std::int32_t* const before = narrowed.end();
+    narrowed.append(i);
+    bool near = false;
     while (const std::int32_t header = *list++) {
-      const Vec<Dim, Lanes> x_seen = seen_from<Dim>(x_i, header & ((1 << segment_code_bits) - 1), in.edge);
+      const int code = header & ((1 << segment_code_bits) - 1);
+      const Vec<Dim, Lanes> x_seen = seen_from<Dim>(x_i, code, in.edge);
+      narrowed.begin();
       for (std::int32_t n = header >> segment_code_bits; n > 0; --n) {
-        const Vec<Dim, Lanes> x_ij = difference<Dim>(x_seen, in.wall_x, *list++);
-        sum += pass.wall(own, x_ij, dot(x_ij, x_ij));
+        const std::int32_t j = *list++;
+        const Vec<Dim, Lanes> x_ij = difference<Dim>(x_seen, in.wall_x, j);
+        const Lanes r2 = dot(x_ij, x_ij);
+        narrowed.offer(j, r2);
+        sum += pass.wall(own, x_ij, r2);
       }
+      near = narrowed.end_segment(code) || near;
     }
+    narrowed.append(0);
+    if (!near) narrowed.cut(before);
     for (int c = 0; c < components; ++c) add_rows(sum[c], sums[c] + i);
   }
+  narrowed.append(-1);
 }
 
 }  // namespace weir::WEIR_INSTRUCTION_SET

@@ -36,8 +36,14 @@ float density(const DensityInput<Dim>& in, std::int32_t tile) {
   const DensityPass<Dim, KernelAt<Kernel<Dim>, Real>> pass{kernel};
   fill(in.density, slots, kernel.shape(0.0F));  // a particle counts itself
   float* const sums[1] = {in.density};
-  visit_fluid<Dim>(in.pairs, tile, pass, sums);
-  if (in.walls) visit_walls<Dim>(in.pairs, tile, pass, sums);
+  {
+    Narrowed narrowed(in.pairs.fluid_lists[tile], in.near_fluid_lists[tile], in.support_radius);
+    visit_fluid<Dim>(in.pairs, tile, pass, sums, narrowed);
+  }
+  if (in.walls) {
+    Narrowed narrowed(in.pairs.wall_lists[tile], in.near_wall_lists[tile], in.support_radius);
+    visit_walls<Dim>(in.pairs, tile, pass, sums, narrowed);
+  }
 
   Lanes largest;
   for (std::int32_t i = slots.begin; i < slots.end; i += lanes) {
@@ -72,7 +78,8 @@ void fluid_acceleration(const AccelerationArguments<Dim>& in, std::int32_t tile)
   const auto visit = [&](const auto&... terms) {
     const FluidAcceleration<Dim, K, std::remove_cvref_t<decltype(terms)>...> pass{
         kernel_at<Kernel, Dim>(in.h, -in.m), read_by_pairs(in), {terms...}};
-    visit_fluid<Dim>(in.pairs, tile, pass, in.acceleration);
+    AsListed lists;
+    visit_fluid<Dim>(in.pairs, tile, pass, in.acceleration, lists);
   };
   constexpr bool viscous = !std::is_same_v<Viscosity, Absent>;
   constexpr bool cohesive = !std::is_same_v<SurfaceTension, Absent>;
@@ -94,7 +101,8 @@ void wall_acceleration(const AccelerationArguments<Dim>& in, std::int32_t tile) 
   const auto visit = [&](const auto&... terms) {
     const WallAcceleration<Dim, K, std::remove_cvref_t<decltype(terms)>...> pass{
         kernel_at<Kernel, Dim>(in.h, -in.m), read_by_pairs(in), {terms...}};
-    visit_walls<Dim>(in.pairs, tile, pass, in.acceleration);
+    AsListed lists;
+    visit_walls<Dim>(in.pairs, tile, pass, in.acceleration, lists);
   };
   constexpr Pressure pressure;
   if constexpr (std::is_same_v<Viscosity, Absent>) {
