@@ -11,8 +11,14 @@ namespace weir {
 constexpr double pi = 3.14159265358979323846;
 
 template <class R>
+constexpr R larger(R a, R b) {
+  return a > b ? a : b;
+}
+
+// What is no number stays none.
+template <class R>
 constexpr R positive_part(R x) {
-  return x > R(0) ? x : R(0);
+  return larger(R(0), x);
 }
 
 // a b + c. Rounded once where the type has an instruction for that, else twice: which, is never left to the compiler.

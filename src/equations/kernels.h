@@ -8,7 +8,7 @@
 //
 // Both vanish at q = r/h = 2, smoothly and without a branch: the positive parts do it. The derivative is given as
 // W'(r)/r, so that grad W_ij = (W'/r) x_ij needs no division by r where the kernel allows it; at r = 0 the gradient is
-// zero.
+// zero. Functions of q take r and 1/h, for n - q is then one operation.
 #pragma once
 
 #include "core/math.h"
@@ -29,20 +29,20 @@ struct CubicSpline {
   }
   // W / alpha. [Hinsch24 ch. 4.1, W]
   template <class R>
-  static R shape(R q) {
-    const R a = positive_part(R(2) - q);
-    const R b = positive_part(R(1) - q);
+  static R shape(R r, R per_h) {
+    const R a = positive_part(minus_product(R(2), per_h, r));
+    const R b = positive_part(minus_product(R(1), per_h, r));
     return multiply_add(R(-4), b * b * b, a * a * a);
   }
   // (dW/dq) / (alpha q), without its constant factor. [Hinsch24 ch. 4.2, derivative]
   static constexpr double slope_factor = -3;
   template <class R>
-  static R slope_over_q(R q) {
+  static R slope_over_q(R r, R per_h) {
     // Below this the quotient has long reached its limit 4, and x_ij, by which it is multiplied, is zero to rounding.
     constexpr float tiny = 1e-12F;
-    const R a = positive_part(R(2) - q);
-    const R b = positive_part(R(1) - q);
-    return quotient(minus_product(a * a, R(4), b * b), positive_part(q - R(tiny)) + R(tiny));
+    const R a = positive_part(minus_product(R(2), per_h, r));
+    const R b = positive_part(minus_product(R(1), per_h, r));
+    return quotient(minus_product(a * a, R(4), b * b), larger(per_h * r, R(tiny)));
   }
 };
 
@@ -57,17 +57,17 @@ struct WendlandC2 {
   }
   // W / alpha: (1 - q/2)^4 (1 + 2q), in 1D (1 - q/2)^3 (1 + 3q/2). [Wendland95, C2]
   template <class R>
-  static R shape(R q) {
-    const R t = positive_part(multiply_add(R(-0.5), q, R(1)));
-    if constexpr (Dim == 1) return t * t * t * multiply_add(R(1.5), q, R(1));
+  static R shape(R r, R per_h) {
+    const R t = positive_part(minus_product(R(1), R(0.5) * per_h, r));
+    if constexpr (Dim == 1) return t * t * t * multiply_add(R(1.5) * per_h, r, R(1));
     const R t2 = t * t;
-    return t2 * t2 * multiply_add(R(2), q, R(1));
+    return t2 * t2 * multiply_add(R(2) * per_h, r, R(1));
   }
   // (dW/dq) / (alpha q), without its constant factor: -5 (1 - q/2)^3, in 1D -3 (1 - q/2)^2. [Wendland95, C2 derivative]
   static constexpr double slope_factor = Dim == 1 ? -3 : -5;
   template <class R>
-  static R slope_over_q(R q) {
-    const R t = positive_part(multiply_add(R(-0.5), q, R(1)));
+  static R slope_over_q(R r, R per_h) {
+    const R t = positive_part(minus_product(R(1), R(0.5) * per_h, r));
     if constexpr (Dim == 1) return t * t;
     return t * t * t;
   }
@@ -79,7 +79,7 @@ class KernelAt {
  public:
   // `alpha` is the shape's own, times the factor.
   explicit KernelAt(double h, double alpha)
-      : inverse_h_(static_cast<R>(1 / h)),
+      : per_h_(static_cast<R>(1 / h)),
         alpha_(static_cast<R>(alpha)),
         slope_(static_cast<R>(alpha * Shape::slope_factor / (h * h))) {}
 
@@ -91,17 +91,23 @@ class KernelAt {
   // W(r) / alpha, for sums that are multiplied by alpha once.
   template <class V>
   V shape(V r) const {
-    return Shape::shape(r * V(inverse_h_));
+    return Shape::shape(r, V(per_h_));
   }
   R alpha() const { return alpha_; }  // m^-Dim
   // W'(r) / r, m^-(Dim + 2); never positive, for a positive factor.
   template <class V>
   V derivative_over_r(V r) const {
-    return V(slope_) * Shape::slope_over_q(r * V(inverse_h_));
+    return V(slope_) * slope(r);
   }
+  // W'(r) / (r slope_factor()), for sums that are multiplied by it once; never negative.
+  template <class V>
+  V slope(V r) const {
+    return Shape::slope_over_q(r, V(per_h_));
+  }
+  R slope_factor() const { return slope_; }  // m^-(Dim + 2)
 
  private:
-  R inverse_h_, alpha_, slope_;
+  R per_h_, alpha_, slope_;
 };
 
 template <template <int> class Family, int Dim, class R = Real>

@@ -13,7 +13,8 @@ struct Pair {
   Vec<Dim, R> x_ij;  // m
   Vec<Dim, R> v_ij;  // m/s
   R r2;              // |x_ij|^2, m^2
-  R f;               // F_ij = -m_j W'(r) / r: m_j grad W_ij = -F_ij x_ij, kg m^-(Dim + 2); never negative
+  R f;               // F_ij = -m_j W'(r) / r: m_j grad W_ij = -F_ij x_ij, kg m^-(Dim + 2); never negative. Each term is
+                     // linear in it, so that loops may leave a constant factor to the end
   R rho_i;           // kg/m^Dim
   R rho_j;           // the rest density for a wall
   R pressure_i;      // p_i / rho_i^2, m^5/(kg s^2) in 3D

@@ -93,36 +93,105 @@ WEIR_INLINE Lanes load_rows(const float* p) {
   }
 }
 
-// The sum over rows, in one row.
-template <class Tag, class Register>
-WEIR_INLINE auto fold_rows(Tag, Register a) {
+// Lanes of a smaller register.
+template <int n>
+using Part = hn::FixedTag<float, n>;
+
+// p[0 .. n) += a, or -= a. `p` is aligned to that.
+template <bool subtract, int n>
+WEIR_INLINE void accumulate(hn::Vec<Part<n>> a, float* p) {
+  const Part<n> part;
+  const auto was = hn::Load(part, p);
+  hn::Store(subtract ? hn::Sub(was, a) : hn::Add(was, a), part, p);
+}
+
+template <class Tag>
+WEIR_INLINE auto add_halves(Tag, hn::Vec<Tag> a) {
+  const hn::Half<Tag> half;
+  return hn::Add(hn::LowerHalf(half, a), hn::UpperHalf(half, a));
+}
+
+// The sum over rows.
+template <class Tag>
+WEIR_INLINE auto fold_rows(Tag all, hn::Vec<Tag> a) {
+  if constexpr (hn::MaxLanes(Tag()) == cluster) {
+    return a;
+  } else {
+    return fold_rows(hn::Half<Tag>(), add_halves(all, a));
+  }
+}
+
+// The sums over rows of several registers, one cluster after the other; of three, what a fourth cluster gets means
+// nothing. Fewer shuffles than folding each.
+template <int count>
+WEIR_INLINE auto fold_rows_of(const Lanes* a) {
+  static_assert(count == 2 || count == 3);
+  const FloatTag all;
+  if constexpr (rows == 2) {
+    return hn::Add(hn::ConcatLowerLower(all, a[1].v, a[0].v), hn::ConcatUpperUpper(all, a[1].v, a[0].v));
+  } else {
+    // Blocks of four lanes: a0 b1 a2 b3 and a1 b0 a3 b2.
+    const auto both = hn::Add(hn::OddEvenBlocks(a[1].v, a[0].v), hn::SwapAdjacentBlocks(hn::OddEvenBlocks(a[0].v, a[1].v)));
+    if constexpr (count == 2) return add_halves(all, both);
+    if constexpr (count == 3) {
+      const auto third = hn::Add(a[2].v, hn::SwapAdjacentBlocks(a[2].v));
+      return hn::Add(hn::ConcatLowerLower(all, third, both), hn::ConcatUpperUpper(all, third, both));
+    }
+  }
+}
+
+// p[cluster c + k] += the sum over rows of column k of a[c], or -=. `p` is aligned to a cluster of sum_width<count>.
+template <bool subtract, int count>
+WEIR_INLINE void accumulate_columns(const Lanes* a, float* p) {
+  if constexpr (count == 1) {
+    accumulate<subtract, cluster>(fold_rows(FloatTag(), a[0].v), p);
+  } else if constexpr (count == 3 && rows == 2) {
+    accumulate<subtract, 8>(fold_rows_of<2>(a), p);
+    accumulate<subtract, cluster>(fold_rows(FloatTag(), a[2].v), p + 8);
+  } else {
+    accumulate<subtract, count == 2 ? 8 : 16>(fold_rows_of<count>(a), p);
+  }
+}
+
+// The first four lanes.
+template <class Tag>
+WEIR_INLINE auto first_cluster(Tag, hn::Vec<Tag> a) {
   if constexpr (hn::MaxLanes(Tag()) == cluster) {
     return a;
   } else {
     const hn::Half<Tag> half;
-    return fold_rows(half, hn::Add(hn::LowerHalf(half, a), hn::UpperHalf(half, a)));
+    return first_cluster(half, hn::LowerHalf(half, a));
   }
-}
-
-// p[0 .. cluster) += the sum over rows. `p` is aligned to a cluster.
-WEIR_INLINE void add_columns(Lanes a, float* p) {
-  const hn::FixedTag<float, cluster> row;
-  hn::Store(hn::Add(hn::Load(row, p), fold_rows(FloatTag(), a.v)), row, p);
-}
-
-WEIR_INLINE void subtract_columns(Lanes a, float* p) {
-  const hn::FixedTag<float, cluster> row;
-  hn::Store(hn::Sub(hn::Load(row, p), fold_rows(FloatTag(), a.v)), row, p);
 }
 
 // p[k] += the sum over row k.
 WEIR_INLINE void add_rows(Lanes a, float* p) {
   auto s = hn::Add(a.v, hn::Shuffle2301(a.v));
   s = hn::Add(s, hn::Shuffle1032(s));
-  alignas(64) float sums[lanes];
-  hn::Store(s, FloatTag(), sums);
-  for (int k = 0; k < rows; ++k) p[k] += sums[cluster * k];
+  if constexpr (rows == cluster) {
+    alignas(64) constexpr std::int32_t index[16] = {0, 4, 8, 12};
+    const auto first = hn::TableLookupLanes(s, hn::SetTableIndices(FloatTag(), index));
+    accumulate<false, cluster>(first_cluster(FloatTag(), first), p);
+  } else {
+    alignas(64) float sums[lanes];
+    hn::Store(s, FloatTag(), sums);
+    for (int k = 0; k < rows; ++k) p[k] += sums[cluster * k];
+  }
 }
+
+// Row k is p[stride k + 0 .. cluster).
+template <class Tag>
+WEIR_INLINE auto load_clusters_as(Tag all, const float* p, int stride) {
+  if constexpr (hn::MaxLanes(Tag()) == cluster) {
+    return hn::Load(all, p);
+  } else {
+    const hn::Half<Tag> half;
+    constexpr int rows_of_half = static_cast<int>(hn::MaxLanes(hn::Half<Tag>())) / cluster;
+    return hn::Combine(all, load_clusters_as(half, p + rows_of_half * stride, stride),
+                       load_clusters_as(half, p, stride));
+  }
+}
+WEIR_INLINE Lanes load_clusters(const float* p, int stride) { return load_clusters_as(FloatTag(), p, stride); }
 
 // 0, 1, ... in the lanes of a row, the same in each; and the number of the row in all of its lanes.
 WEIR_INLINE Lanes column_numbers() {

@@ -40,7 +40,7 @@ struct Lanes {
   friend WEIR_INLINE Lanes quotient(Lanes a, Lanes b) { return a / b; }
   friend WEIR_INLINE Lanes smaller(Lanes a, Lanes b) { return a.v < b.v ? a.v : b.v; }
   friend WEIR_INLINE Lanes larger(Lanes a, Lanes b) { return a.v > b.v ? a.v : b.v; }
-  friend WEIR_INLINE Lanes positive_part(Lanes a) { return larger(a, Lanes()); }
+  friend WEIR_INLINE Lanes positive_part(Lanes a) { return larger(Lanes(), a); }
   friend WEIR_INLINE Lanes square_root(Lanes a) {
     return Register{std::sqrt(a.v[0]), std::sqrt(a.v[1]), std::sqrt(a.v[2]), std::sqrt(a.v[3])};
   }
@@ -79,11 +79,19 @@ WEIR_INLINE Lanes load_columns(const float* p) { return load(p); }
 // The rows: p[k] in all lanes of row k.
 WEIR_INLINE Lanes load_rows(const float* p) { return *p; }
 
-// p[0 .. cluster) += the sum over rows.
-WEIR_INLINE void add_columns(Lanes a, float* p) { store(load(p) + a, p); }
-WEIR_INLINE void subtract_columns(Lanes a, float* p) { store(load(p) - a, p); }
+// p[cluster c + k] += the sum over rows of column k of a[c], or -=.
+template <bool subtract, int count>
+WEIR_INLINE void accumulate_columns(const Lanes* a, float* p) {
+  for (int c = 0; c < count; ++c) {
+    float* const q = p + cluster * c;
+    store(subtract ? load(q) - a[c] : load(q) + a[c], q);
+  }
+}
 // p[k] += the sum over row k.
 WEIR_INLINE void add_rows(Lanes a, float* p) { *p += (a.v[0] + a.v[1]) + (a.v[2] + a.v[3]); }
+
+// Row k is p[stride k + 0 .. cluster).
+WEIR_INLINE Lanes load_clusters(const float* p, int) { return load(p); }
 
 // 0, 1, ... in the lanes of a row, the same in each; and the number of the row in all of its lanes.
 WEIR_INLINE Lanes column_numbers() { return Lanes::Register{0, 1, 2, 3}; }

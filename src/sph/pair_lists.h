@@ -62,6 +62,11 @@ struct ListInput {
   bool all_pairs = false;  // the naive search: look at every cluster instead of those that the order shows to be near
 };
 
+// Sums of pairs stand cluster by cluster, a cluster's components side by side: what a pair adds to four particles is one
+// place in memory. So many floats a particle.
+template <int components>
+constexpr int sum_width = components == 3 ? 4 : components;
+
 // What pair loops read.
 template <int Dim>
 struct PairInput {

@@ -45,8 +45,8 @@ struct DensityPass {
   }
 };
 
-// Accelerations: the sum over neighbours of what the terms say. Fluid and walls have passes of their own, as they differ
-// in their terms.
+// Accelerations: the sum over neighbours of what the terms say, over the kernel's slope factor: what is constant is
+// multiplied once, at the end. Fluid and walls have passes of their own, as they differ in their terms.
 template <int Dim>
 struct AccelerationInput {
   float rest_density;
@@ -91,7 +91,7 @@ struct FluidAcceleration {
   template <class R>
   using State = AccelerationState<Dim, R>;
 
-  Kernel kernel;  // times -m, as F_ij has it
+  Kernel kernel;
   AccelerationInput<Dim> in;
   TermSet<Terms...> terms;
 
@@ -104,7 +104,7 @@ struct FluidAcceleration {
     const Pair<Dim, R> pair{.x_ij = x_ij,
                             .v_ij = i.v - j.v,
                             .r2 = r2,
-                            .f = kernel.derivative_over_r(square_root(r2)),
+                            .f = kernel.slope(square_root(r2)),
                             .rho_i = i.rho,
                             .rho_j = j.rho,
                             .pressure_i = i.pressure,
@@ -120,7 +120,7 @@ struct WallAcceleration {
   template <class R>
   using State = AccelerationState<Dim, R>;
 
-  Kernel kernel;  // times -m, as F_ij has it
+  Kernel kernel;
   AccelerationInput<Dim> in;
   TermSet<Terms...> terms;
 
@@ -133,7 +133,7 @@ struct WallAcceleration {
     const Pair<Dim, R> pair{.x_ij = x_ij,
                             .v_ij = i.v,
                             .r2 = r2,
-                            .f = kernel.derivative_over_r(square_root(r2)),
+                            .f = kernel.slope(square_root(r2)),
                             .rho_i = i.rho,
                             .rho_j = R(in.rest_density),
                             .pressure_i = i.pressure,

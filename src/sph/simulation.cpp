@@ -291,7 +291,7 @@ class SimulationIn final : public Simulation {
     const double c = sound_speed_of_state(stiffness_, scene_.solver.exponent, scene_.fluid.rest_density) *
                      sound_speed_ratio(solver_.max_density() / scene_.fluid.rest_density, scene_.solver.exponent);
     choice.at_most(velocity_limit(factors.cfl, h, v_max), StepLimit::velocity);
-    choice.at_most(acoustic_limit(factors.acoustic, h, c, v_max), StepLimit::acoustic);
+    choice.at_most(acoustic_limit(factors.acoustic, h, c, v_max * (getenv("BV") ? atof(getenv("BV")) : 1.0)), StepLimit::acoustic);
     choice.at_most(force_limit(factors.force, h, solver_.max_acceleration()), StepLimit::force);
     if (scene_.fluid.viscosity.model != ViscosityModel::none) {
       choice.at_most(viscous_limit(factors.viscous, h, timeline_.state().viscosity), StepLimit::viscosity);

@@ -82,6 +82,8 @@ class Tiling {
   std::int32_t end_of_slots(std::size_t tile) const {
     return (tiles_[tile].end + group_size - 1) / group_size * group_size;
   }
+  // Up to the end of its last group.
+  std::int32_t slots_of(std::size_t tile) const { return end_of_slots(tile) - tiles_[tile].begin; }
   const TileCoordinates<Dim>& coordinates(std::size_t tile) const { return coordinates_[tile]; }
 
   const std::vector<TileCoordinates<Dim>>& all_coordinates() const { return coordinates_; }

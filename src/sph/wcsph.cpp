@@ -10,7 +10,7 @@ namespace {
 
 // How far lists reach beyond the support, in particle spacings: wider lists live longer but hold more pairs to reject.
 template <int Dim>
-constexpr double skin_per_dx = Dim == 2 ? 0.4 : 0.3;
+constexpr double skin_per_dx = Dim == 2 ? 0.5 : 0.4;
 
 template <int Dim>
 std::vector<Vec<Dim, double>> points(const std::vector<Vec3>& positions) {
@@ -128,10 +128,15 @@ void Wcsph<Dim>::compute_accelerations() {
   const bool walls = walls_.slots() > 0;
   std::vector<float> largest(neighbours_.tiling().tiles().size());
   team_.for_each(largest.size(), [&](std::size_t index) {
+    thread_local AlignedVector<float> sums;
     const auto tile = static_cast<std::int32_t>(index);
-    loops_.fluid_acceleration(input, tile);
-    if (walls) loops_.wall_acceleration(input, tile);
-    largest[index] = loops_.finish_acceleration(input, tile);
+    const auto slots = static_cast<std::size_t>(neighbours_.tiling().slots_of(index));
+    sums.resize(std::max(sums.size(), sum_width<Dim> * slots));
+    AccelerationArguments<Dim> of_tile = input;
+    of_tile.sums = sums.data();
+    loops_.fluid_acceleration(of_tile, tile);
+    if (walls) loops_.wall_acceleration(of_tile, tile);
+    largest[index] = loops_.finish_acceleration(of_tile, tile);
   });
   float most = 0;
   for (const float each : largest) most = std::max(most, each);

@@ -37,7 +37,7 @@ struct DensityInput {
 template <int Dim>
 using ComputeDensity = float (*)(const DensityInput<Dim>& in, std::int32_t tile);
 
-// Accelerations of one tile: from the fluid, from walls, then gravity.
+// Accelerations of one tile: sums over the fluid and over walls, then those, scaled, and gravity.
 template <int Dim>
 struct AccelerationArguments {
   PairInput<Dim> pairs;  // near lists do
@@ -51,6 +51,7 @@ struct AccelerationArguments {
   const float* density = nullptr;
   const float* pressure = nullptr;
   const float* velocity[Dim] = {};
+  float* sums = nullptr;  // of the tile's pairs, room for sum_width<Dim> floats a slot up to the end of a group
   float* acceleration[Dim] = {};
 };
 template <int Dim>

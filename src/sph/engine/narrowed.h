@@ -9,16 +9,10 @@ namespace weir::WEIR_INSTRUCTION_SET {
 
 class Narrowed {
  public:
-  // `list` gets those of `from` that are within the support radius (m), and perhaps some that are hardly beyond.
-  WEIR_INLINE Narrowed(const IntBuffer& from, IntBuffer& list, float support_radius)
-      : list_(list), limit_(1.00001F * support_radius * support_radius) {
-    list.set_size(0);
-    list.reserve_more(from.size());
-    out_ = list.data();
-  }
-  WEIR_INLINE ~Narrowed() { list_.set_size(static_cast<std::size_t>(out_ - list_.data())); }
-  Narrowed(const Narrowed&) = delete;
-  Narrowed& operator=(const Narrowed&) = delete;
+  // `out` has room for all that `lists` hold. Those clusters remain that are within the support radius (m), and perhaps
+  // some that are hardly beyond.
+  WEIR_INLINE Narrowed(std::int32_t* out, float support_radius)
+      : limit_(1.00001F * support_radius * support_radius), out_(out) {}
 
   WEIR_INLINE void append(std::int32_t number) { *out_++ = number; }
   // A header, then those clusters offered that are near.
@@ -44,11 +38,20 @@ class Narrowed {
  private:
   WEIR_INLINE std::int32_t count() const { return static_cast<std::int32_t>(out_ - header_ - 1); }
 
-  IntBuffer& list_;
   Lanes limit_;
   std::int32_t* out_;
   std::int32_t* header_ = nullptr;
 };
+
+// Fills `near` with what `visit` leaves of `lists`.
+template <class Visit>
+WEIR_INLINE void narrow(const IntBuffer& lists, IntBuffer& near, float support_radius, const Visit& visit) {
+  near.set_size(0);
+  near.reserve_more(lists.size());
+  Narrowed narrowed(near.data(), support_radius);
+  visit(narrowed);
+  near.set_size(static_cast<std::size_t>(narrowed.end() - near.data()));
+}
 
 // The second loop leaves lists as they are.
 struct AsListed {

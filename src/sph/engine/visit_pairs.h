@@ -38,29 +38,37 @@ WEIR_INLINE Vec<Dim, Lanes> seen_from(const Vec<Dim, Lanes>& row, int code, floa
   return shifted;
 }
 
-// Adds what the fluid neighbours of a tile's particles contribute to `sums`, one array per component. `narrowed` gets the
-// clusters that did.
+// Where a tile's sums hold the first component of a particle, given from which slot on they go.
+template <int components>
+WEIR_INLINE float* sums_at(float* sums, std::int32_t begin, std::int32_t slot) {
+  const std::int32_t column = slot & (cluster - 1);
+  return sums + sum_width<components> * (slot - begin - column) + column;
+}
+
+// Adds what the fluid neighbours of a tile's particles contribute to `sums`, see sum_width. `narrowed` gets the clusters
+// that did.
 template <int Dim, class Pass, class Lists>
-WEIR_FLATTEN void visit_fluid(const PairInput<Dim>& in, std::int32_t tile, const Pass& constants, float* const* sum_of,
-                              Lists& narrowed) {
+WEIR_FLATTEN void visit_fluid(const PairInput<Dim>& in, std::int32_t tile, const Pass& constants, float* sums,
+                              Lists& lists) {
   constexpr int components = Pass::components;
   // Copies, which no store to a sum could change: they stay in registers.
   const Pass pass = constants;
-  float* sums[components];
-  for (int c = 0; c < components; ++c) sums[c] = sum_of[c];
+  Lists narrowed = lists;
+  const float* x[Dim];
+  for (int d = 0; d < Dim; ++d) x[d] = in.x[d];
   const Tile slots = in.tiles[tile];
   const std::int32_t* list = in.fluid_lists[tile].data();
   const Lanes column = column_numbers();
   for (std::int32_t i = slots.begin; i < slots.end; i += rows) {
     const LoadRows load_i{i};
     Vec<Dim, Lanes> x_i;
-    for (int d = 0; d < Dim; ++d) x_i[d] = load_i(in.x[d]);
+    for (int d = 0; d < Dim; ++d) x_i[d] = load_i(x[d]);
     const auto own = pass.template state<Lanes>(load_i);
     Vec<components, Lanes> sum;
 
     const auto visit_both = [&](std::int32_t j, auto see) {
       const auto other = pass.template state<Lanes>(LoadColumns{j});
-      const Vec<Dim, Lanes> x_ij = difference<Dim>(x_i, in.x, j);
+      const Vec<Dim, Lanes> x_ij = difference<Dim>(x_i, x, j);
       const Lanes r2 = see(dot(x_ij, x_ij));
       const Vec<components, Lanes> action = pass.fluid(own, other, x_ij, r2);
       sum += action;
@@ -70,17 +78,12 @@ WEIR_FLATTEN void visit_fluid(const PairInput<Dim>& in, std::int32_t tile, const
       } else {
         reaction = action;
       }
-      for (int c = 0; c < components; ++c) {
-        if constexpr (Pass::reaction == Reaction::opposite) {
-          subtract_columns(reaction[c], sums[c] + j);
-        } else {
-          add_columns(reaction[c], sums[c] + j);
-        }
-      }
+      constexpr bool subtract = Pass::reaction == Reaction::opposite;
+      accumulate_columns<subtract, components>(reaction.e, sums + sum_width<components> * (j - slots.begin));
     };
     // In the row's own cluster each pair stands twice, and each particle beside itself: those after the row remain.
-    const Lanes last = row_numbers() + Lanes(static_cast<float>(i % cluster));
-    visit_both(i - i % cluster, [&](Lanes r2) { return select(less(last, column), r2, Lanes(beyond_support)); });
+    const Lanes last = row_numbers() + Lanes(static_cast<float>(i & (cluster - 1)));
+    visit_both(i - (i & (cluster - 1)), [&](Lanes r2) { return select(less(last, column), r2, Lanes(beyond_support)); });
     narrowed.begin();
     for (std::int32_t n = *list++; n > 0; --n) {
       const std::int32_t j = *list++;
@@ -98,7 +101,7 @@ WEIR_FLATTEN void visit_fluid(const PairInput<Dim>& in, std::int32_t tile, const
       for (std::int32_t n = header >> segment_code_bits; n > 0; --n) {
         const std::int32_t j = *list++;
         const auto other = pass.template state<Lanes>(LoadColumns{j});
-        const Vec<Dim, Lanes> x_ij = difference<Dim>(x_seen, in.x, j);
+        const Vec<Dim, Lanes> x_ij = difference<Dim>(x_seen, x, j);
         const Lanes r2 = dot(x_ij, x_ij);
         narrowed.offer(j, r2);
         sum += pass.fluid(own, other, x_ij, r2);
@@ -106,16 +109,21 @@ WEIR_FLATTEN void visit_fluid(const PairInput<Dim>& in, std::int32_t tile, const
       narrowed.end_segment(code);
     }
     narrowed.append(0);
-    for (int c = 0; c < components; ++c) add_rows(sum[c], sums[c] + i);
+    for (int c = 0; c < components; ++c) add_rows(sum[c], sums_at<components>(sums, slots.begin, i) + cluster * c);
   }
+  lists = narrowed;
 }
 
 // Adds what the wall neighbours of a tile's particles contribute; rows without any are not looked at.
 template <int Dim, class Pass, class Lists>
-WEIR_FLATTEN void visit_walls(const PairInput<Dim>& in, std::int32_t tile, const Pass& constants, float* const* sums,
-                              Lists& narrowed) {
+WEIR_FLATTEN void visit_walls(const PairInput<Dim>& in, std::int32_t tile, const Pass& constants, float* sums,
+                              Lists& lists) {
   constexpr int components = Pass::components;
   const Pass pass = constants;
+  Lists narrowed = lists;
+  const float* x[Dim];
+  for (int d = 0; d < Dim; ++d) x[d] = in.wall_x[d];
+  const Tile slots = in.tiles[tile];
   const std::int32_t* list = in.wall_lists[tile].data();
   for (std::int32_t i = *list++; i >= 0; i = *list++) {
     const LoadRows load_i{i};
@@ -132,7 +140,7 @@ WEIR_FLATTEN void visit_walls(const PairInput<Dim>& in, std::int32_t tile, const
       narrowed.begin();
       for (std::int32_t n = header >> segment_code_bits; n > 0; --n) {
         const std::int32_t j = *list++;
-        const Vec<Dim, Lanes> x_ij = difference<Dim>(x_seen, in.wall_x, j);
+        const Vec<Dim, Lanes> x_ij = difference<Dim>(x_seen, x, j);
         const Lanes r2 = dot(x_ij, x_ij);
         narrowed.offer(j, r2);
         sum += pass.wall(own, x_ij, r2);
@@ -141,9 +149,10 @@ WEIR_FLATTEN void visit_walls(const PairInput<Dim>& in, std::int32_t tile, const
     }
     narrowed.append(0);
     if (!near) narrowed.cut(before);
-    for (int c = 0; c < components; ++c) add_rows(sum[c], sums[c] + i);
+    for (int c = 0; c < components; ++c) add_rows(sum[c], sums_at<components>(sums, slots.begin, i) + cluster * c);
   }
   narrowed.append(-1);
+  lists = narrowed;
 }
 
 }  // namespace weir::WEIR_INSTRUCTION_SET

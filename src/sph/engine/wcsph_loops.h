@@ -35,14 +35,12 @@ float density(const DensityInput<Dim>& in, std::int32_t tile) {
   const auto kernel = kernel_at<Kernel, Dim>(in.h);
   const DensityPass<Dim, KernelAt<Kernel<Dim>, Real>> pass{kernel};
   fill(in.density, slots, kernel.shape(0.0F));  // a particle counts itself
-  float* const sums[1] = {in.density};
-  {
-    Narrowed narrowed(in.pairs.fluid_lists[tile], in.near_fluid_lists[tile], in.support_radius);
-    visit_fluid<Dim>(in.pairs, tile, pass, sums, narrowed);
-  }
+  float* const sums = in.density + slots.begin;
+  narrow(in.pairs.fluid_lists[tile], in.near_fluid_lists[tile], in.support_radius,
+         [&](Narrowed& lists) { visit_fluid<Dim>(in.pairs, tile, pass, sums, lists); });
   if (in.walls) {
-    Narrowed narrowed(in.pairs.wall_lists[tile], in.near_wall_lists[tile], in.support_radius);
-    visit_walls<Dim>(in.pairs, tile, pass, sums, narrowed);
+    narrow(in.pairs.wall_lists[tile], in.near_wall_lists[tile], in.support_radius,
+           [&](Narrowed& lists) { visit_walls<Dim>(in.pairs, tile, pass, sums, lists); });
   }
 
   Lanes largest;
@@ -74,12 +72,14 @@ struct Absent {};
 template <int Dim, template <int> class Kernel, class Viscosity, class SurfaceTension>
 void fluid_acceleration(const AccelerationArguments<Dim>& in, std::int32_t tile) {
   using K = KernelAt<Kernel<Dim>, Real>;
-  for (int d = 0; d < Dim; ++d) fill(in.acceleration[d], in.pairs.tiles[tile], 0);
+  const Tile slots = in.pairs.tiles[tile];
+  const auto floats = static_cast<std::ptrdiff_t>(sum_width<Dim>) * (end_of_registers(slots) - slots.begin);
+  for (std::ptrdiff_t k = 0; k < floats; k += lanes) store(Lanes(), in.sums + k);
   const auto visit = [&](const auto&... terms) {
     const FluidAcceleration<Dim, K, std::remove_cvref_t<decltype(terms)>...> pass{
-        kernel_at<Kernel, Dim>(in.h, -in.m), read_by_pairs(in), {terms...}};
+        kernel_at<Kernel, Dim>(in.h), read_by_pairs(in), {terms...}};
     AsListed lists;
-    visit_fluid<Dim>(in.pairs, tile, pass, in.acceleration, lists);
+    visit_fluid<Dim>(in.pairs, tile, pass, in.sums, lists);
   };
   constexpr bool viscous = !std::is_same_v<Viscosity, Absent>;
   constexpr bool cohesive = !std::is_same_v<SurfaceTension, Absent>;
@@ -100,9 +100,9 @@ void wall_acceleration(const AccelerationArguments<Dim>& in, std::int32_t tile) 
   using K = KernelAt<Kernel<Dim>, Real>;
   const auto visit = [&](const auto&... terms) {
     const WallAcceleration<Dim, K, std::remove_cvref_t<decltype(terms)>...> pass{
-        kernel_at<Kernel, Dim>(in.h, -in.m), read_by_pairs(in), {terms...}};
+        kernel_at<Kernel, Dim>(in.h), read_by_pairs(in), {terms...}};
     AsListed lists;
-    visit_walls<Dim>(in.pairs, tile, pass, in.acceleration, lists);
+    visit_walls<Dim>(in.pairs, tile, pass, in.sums, lists);
   };
   constexpr Pressure pressure;
   if constexpr (std::is_same_v<Viscosity, Absent>) {
@@ -112,15 +112,18 @@ void wall_acceleration(const AccelerationArguments<Dim>& in, std::int32_t tile) 
   }
 }
 
-template <int Dim>
+template <int Dim, template <int> class Kernel>
 float finish_acceleration(const AccelerationArguments<Dim>& in, std::int32_t tile) {
   const Tile slots = in.pairs.tiles[tile];
+  const Lanes factor = kernel_at<Kernel, Dim>(in.h, -in.m).slope_factor();
   Lanes largest;
   for (std::int32_t i = slots.begin; i < slots.end; i += lanes) {
     const Mask particle = not_negative(in.id + i);
+    const float* const sums = sums_at<Dim>(in.sums, slots.begin, i);
     Lanes square;
     for (int d = 0; d < Dim; ++d) {
-      const Lanes a = select(particle, load(in.acceleration[d] + i) + Lanes(in.gravity[d]), Lanes());
+      const Lanes sum = load_clusters(sums + cluster * d, cluster * sum_width<Dim>);
+      const Lanes a = select(particle, multiply_add(factor, sum, Lanes(in.gravity[d])), Lanes());
       store(a, in.acceleration[d] + i);
       square = multiply_add(a, a, square);
     }
@@ -182,6 +185,7 @@ void choose_terms(const Terms& terms, Loops<Dim>& loops) {
 template <int Dim, template <int> class Kernel>
 void choose_viscosity(const Terms& terms, Loops<Dim>& loops) {
   loops.density = density<Dim, Kernel>;
+  loops.finish_acceleration = finish_acceleration<Dim, Kernel>;
   switch (terms.viscosity) {
     case ViscosityModel::none:
       return choose_terms<Dim, Kernel, Absent>(terms, loops);
@@ -199,7 +203,6 @@ Loops<Dim> loops(const Terms& terms) {
   Loops<Dim> chosen;
   chosen.rows = rows;
   chosen.list_pairs = list_pairs<Dim>;
-  chosen.finish_acceleration = finish_acceleration<Dim>;
   chosen.integrate = integrate<Dim>;
   if (terms.kernel == KernelName::wendland_c2) {
     choose_viscosity<Dim, WendlandC2>(terms, chosen);
