@@ -4,7 +4,6 @@
 // [Cole48]   R. H. Cole, Underwater Explosions, Princeton, 1948: the exponent 7 of water.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/math.h"
@@ -32,8 +31,9 @@ inline double sound_speed_of_state(double k, int exponent, double rest_density) 
 
 // c / c0 at this density over the rest density: c^2 = dp/drho. One for stretched fluid, whose sound is slower.
 // [Cole48, compressed sound]
-inline double sound_speed_ratio(double compression, int exponent) {
-  return std::sqrt(integer_power(std::max(compression, 1.0), exponent - 1));
+template <class R>
+R sound_speed_ratio(R compression, int exponent) {
+  return square_root(integer_power(larger(compression, R(1)), exponent - 1));
 }
 
 // The inverse: k, Pa. [Cole48, stiffness]

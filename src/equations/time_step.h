@@ -19,8 +19,14 @@ inline double cfl_number(double dt, double v_max, double h) { return dt * v_max 
 // dt <= lambda h / v_max, s. [Hinsch24 ch. 6.6.2, dt]
 inline double velocity_limit(double lambda, double h, double v_max) { return lambda * h / v_max; }
 
-// dt <= factor h / (c + v_max), s: sound may not outrun the kernel. [Monaghan92, sound]
-inline double acoustic_limit(double factor, double h, double c, double v_max) { return factor * h / (c + v_max); }
+// How fast what a particle does may reach others, m/s: by its own sound and its own motion. [Monaghan92, signal]
+template <class R>
+R signal_speed(R c, R v) {
+  return c + v;
+}
+
+// dt <= factor h / max (c + v), s: no signal may outrun the kernel. [Monaghan92, sound]
+inline double acoustic_limit(double factor, double h, double max_signal_speed) { return factor * h / max_signal_speed; }
 
 // dt <= factor sqrt(h / a_max), s. [Monaghan92, force]
 inline double force_limit(double factor, double h, double a_max) { return factor * std::sqrt(h / a_max); }

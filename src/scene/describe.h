@@ -221,10 +221,13 @@ template <class V>
 void describe(V& v, AdaptiveStep& step) {
   constexpr Range factor{0, 10, true};
   v.field("cfl", step.cfl, Spec{.meaning = "dt <= cfl h / v_max", .unit = "1", .range = factor});
-  v.field("acoustic", step.acoustic,
-          Spec{.meaning = "dt <= acoustic h / (c + v_max), c the sound speed of the densest particle",
-               .unit = "1",
-               .range = factor});
+  v.field(
+      "acoustic", step.acoustic,
+      Spec{
+          .meaning =
+              "dt <= acoustic h / (c + v), of the particle with the largest c + v; c is the sound speed at its density",
+          .unit = "1",
+          .range = factor});
   v.field("force", step.force,
           Spec{.meaning = "dt <= force sqrt(h / a_max), a_max the largest acceleration", .unit = "1", .range = factor});
   v.field("viscous", step.viscous,

@@ -17,7 +17,7 @@ double time_step(const Scene& scene) {
   const AdaptiveStep& step = std::get<AdaptiveStep>(scene.solver.time_step);
   const double h = smoothing_length(scene);
   const double speed = max_speed_estimate(scene);
-  double dt = acoustic_limit(step.acoustic, h, sound_speed(scene), speed);
+  double dt = acoustic_limit(step.acoustic, h, signal_speed(sound_speed(scene), speed));
   if (speed > 0) dt = std::min(dt, velocity_limit(step.cfl, h, speed));
   const double g = glm::length(scene.gravity);
   if (g > 0) dt = std::min(dt, force_limit(step.force, h, g));

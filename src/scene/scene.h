@@ -114,7 +114,7 @@ struct FixedStep {
 };
 struct AdaptiveStep {
   double cfl = 0.4;        // dt <= cfl h / v_max
-  double acoustic = 0.8;   // dt <= acoustic h / (c + v_max)
+  double acoustic = 1.0;   // dt <= acoustic h / max (c + v)
   double force = 0.25;     // dt <= force sqrt(h / a_max)
   double viscous = 0.125;  // dt <= viscous h^2 / nu
   double maximum = 0;      // s; 0: no other bound

@@ -29,7 +29,7 @@ TilesView<Dim> view_of(const Tiling<Dim>& tiling, const Places<Dim>& places, con
 
 // Sorting costs as much as making lists, and lists of clusters that have lost their shape are longer: sort when so many
 // have been made since, per tile.
-constexpr double lists_per_sort = 2;
+constexpr double lists_per_sort = 4;
 
 // Of the largest distance by which any particle of one box came closer to any of another.
 template <int Dim>

@@ -287,11 +287,8 @@ class SimulationIn final : public Simulation {
     const AdaptiveStep& factors = std::get<AdaptiveStep>(scene_.solver.time_step);
     const double h = solver_.smoothing_length();
     const double v_max = solver_.max_speed();
-    // Where the fluid is compressed, sound is faster.
-    const double c = sound_speed_of_state(stiffness_, scene_.solver.exponent, scene_.fluid.rest_density) *
-                     sound_speed_ratio(solver_.max_density() / scene_.fluid.rest_density, scene_.solver.exponent);
     choice.at_most(velocity_limit(factors.cfl, h, v_max), StepLimit::velocity);
-    choice.at_most(acoustic_limit(factors.acoustic, h, c, v_max * (getenv("BV") ? atof(getenv("BV")) : 1.0)), StepLimit::acoustic);
+    choice.at_most(acoustic_limit(factors.acoustic, h, solver_.max_signal_speed()), StepLimit::acoustic);
     choice.at_most(force_limit(factors.force, h, solver_.max_acceleration()), StepLimit::force);
     if (scene_.fluid.viscosity.model != ViscosityModel::none) {
       choice.at_most(viscous_limit(factors.viscous, h, timeline_.state().viscosity), StepLimit::viscosity);

@@ -46,7 +46,7 @@ double with_few_digits(double value) {
 template <int Dim>
 TileLattice<Dim>::TileLattice(double particle_spacing, double reach, std::size_t particles) {
   // Large enough that few pairs lie between tiles, small enough that there are many to share among threads.
-  constexpr std::size_t few = Dim == 2 ? 20'000 : 50'000;
+  constexpr std::size_t few = Dim == 2 ? 12'000 : 50'000;
   const double spacings_per_tile = (Dim == 2 ? 32 : 16) / (particles < few ? 2 : 1);
   const double wanted = std::max(spacings_per_tile * particle_spacing, reach);
   edge_ = with_few_digits(wanted);

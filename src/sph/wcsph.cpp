@@ -4,13 +4,15 @@
 #include <cmath>
 #include <vector>
 
+#include "equations/state.h"
+
 namespace weir {
 
 namespace {
 
 // How far lists reach beyond the support, in particle spacings: wider lists live longer but hold more pairs to reject.
 template <int Dim>
-constexpr double skin_per_dx = Dim == 2 ? 0.5 : 0.4;
+constexpr double skin_per_dx = Dim == 2 ? 0.6 : 0.4;
 
 template <int Dim>
 std::vector<Vec<Dim, double>> points(const std::vector<Vec3>& positions) {
@@ -101,11 +103,8 @@ void Wcsph<Dim>::compute_density_and_pressure() {
   input.id = fluid_.id.data();
   input.density = fluid_.density.data();
   input.pressure = fluid_.pressure.data();
-  std::vector<float> largest(neighbours_.tiling().tiles().size());
-  team_.for_each(largest.size(),
-                 [&](std::size_t tile) { largest[tile] = loops_.density(input, static_cast<std::int32_t>(tile)); });
-  max_density_ = 0;
-  for (const float each : largest) max_density_ = std::max(max_density_, static_cast<double>(each));
+  team_.for_each(neighbours_.tiling().tiles().size(),
+                 [&](std::size_t tile) { loops_.density(input, static_cast<std::int32_t>(tile)); });
 }
 
 template <int Dim>
@@ -115,6 +114,8 @@ void Wcsph<Dim>::compute_accelerations() {
   input.h = h_;
   input.m = mass_;
   input.rest_density = static_cast<float>(rest_density_);
+  input.exponent = exponent_;
+  input.sound_speed = static_cast<float>(sound_speed_of_state(controls_.stiffness, exponent_, rest_density_));
   input.nu = controls_.viscosity;
   input.s = controls_.surface_tension;
   input.id = fluid_.id.data();
@@ -126,8 +127,8 @@ void Wcsph<Dim>::compute_accelerations() {
     input.acceleration[d] = fluid_.acceleration[d].data();
   }
   const bool walls = walls_.slots() > 0;
-  std::vector<float> largest(neighbours_.tiling().tiles().size());
-  team_.for_each(largest.size(), [&](std::size_t index) {
+  std::vector<AccelerationExtremes> extremes(neighbours_.tiling().tiles().size());
+  team_.for_each(extremes.size(), [&](std::size_t index) {
     thread_local AlignedVector<float> sums;
     const auto tile = static_cast<std::int32_t>(index);
     const auto slots = static_cast<std::size_t>(neighbours_.tiling().slots_of(index));
@@ -136,11 +137,15 @@ void Wcsph<Dim>::compute_accelerations() {
     of_tile.sums = sums.data();
     loops_.fluid_acceleration(of_tile, tile);
     if (walls) loops_.wall_acceleration(of_tile, tile);
-    largest[index] = loops_.finish_acceleration(of_tile, tile);
+    extremes[index] = loops_.finish_acceleration(of_tile, tile);
   });
-  float most = 0;
-  for (const float each : largest) most = std::max(most, each);
-  max_acceleration_ = std::sqrt(static_cast<double>(most));
+  AccelerationExtremes most;
+  for (const AccelerationExtremes& each : extremes) {
+    most.acceleration_squared = std::max(most.acceleration_squared, each.acceleration_squared);
+    most.signal_speed = std::max(most.signal_speed, each.signal_speed);
+  }
+  max_acceleration_ = std::sqrt(static_cast<double>(most.acceleration_squared));
+  max_signal_speed_ = static_cast<double>(most.signal_speed);
 }
 
 template <int Dim>

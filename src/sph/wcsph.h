@@ -45,8 +45,8 @@ class Wcsph {
   std::optional<Escape> integrate(double dt);
 
   double max_speed() const { return max_speed_; }                // m/s, of the current velocities
-  double max_density() const { return max_density_; }            // kg/m^Dim, of the last densities
   double max_acceleration() const { return max_acceleration_; }  // m/s^2, of the last accelerations
+  double max_signal_speed() const { return max_signal_speed_; }  // m/s, of velocities and densities at that time
   double step_reach() const { return support_radius_; }          // m; farther in one step and neighbours mean nothing
 
   void set(const Controls<Dim>& controls) { controls_ = controls; }
@@ -78,8 +78,8 @@ class Wcsph {
   WallParticles<Dim> walls_;
   Neighbours<Dim> neighbours_;
   double max_speed_ = 0;
-  double max_density_ = 0;
   double max_acceleration_ = 0;
+  double max_signal_speed_ = 0;
 };
 
 extern template class Wcsph<2>;

@@ -9,7 +9,7 @@ namespace {
 
 TEST(TimeStep, LimitsFollowTheirFormulas) {
   EXPECT_DOUBLE_EQ(velocity_limit(0.4, 0.01, 2), 0.002);
-  EXPECT_DOUBLE_EQ(acoustic_limit(0.4, 0.01, 18, 2), 0.0002);
+  EXPECT_DOUBLE_EQ(acoustic_limit(0.4, 0.01, signal_speed(18.0, 2.0)), 0.0002);
   EXPECT_DOUBLE_EQ(force_limit(0.25, 0.04, 4), 0.025);
   EXPECT_DOUBLE_EQ(viscous_limit(0.125, 0.02, 0.1), 0.0005);
 }

@@ -330,8 +330,8 @@ TEST(Estimate, CountsWhatIsSampled) {
   EXPECT_EQ(cost.wall_particles, 34 * 22 - 30 * 20);
   EXPECT_NEAR(cost.mass, 1000, 1e-9);
   EXPECT_NEAR(cost.mass_error, 1 / 1.04 - 1, 1e-12);
-  // acoustic: 0.8 h / (c0 + v) with c0 = sqrt(7 1e5 / 1000), v = sqrt(2 g 1)
-  EXPECT_NEAR(cost.dt, 0.8 * 0.1 / (std::sqrt(700) + std::sqrt(2 * 9.81)), 1e-12);
+  // acoustic: h / (c0 + v) with c0 = sqrt(7 1e5 / 1000), v = sqrt(2 g 1)
+  EXPECT_NEAR(cost.dt, 0.1 / (std::sqrt(700) + std::sqrt(2 * 9.81)), 1e-12);
   EXPECT_EQ(cost.steps, 120 * static_cast<std::int64_t>(std::ceil(1.0 / 60 / cost.dt)));
 }
 

@@ -16,7 +16,7 @@ using ListPairs = void (*)(const ListInput<Dim>& in, std::int32_t tile, IntBuffe
                            IntBuffer& scratch);
 
 // Densities of one tile, and p / rho^2 from them; and the lists without what is beyond the support, for loops over the
-// same places. Returns the largest density.
+// same places.
 template <int Dim>
 struct DensityInput {
   PairInput<Dim> pairs;
@@ -35,17 +35,19 @@ struct DensityInput {
   float* pressure = nullptr;
 };
 template <int Dim>
-using ComputeDensity = float (*)(const DensityInput<Dim>& in, std::int32_t tile);
+using ComputeDensity = void (*)(const DensityInput<Dim>& in, std::int32_t tile);
 
 // Accelerations of one tile: sums over the fluid and over walls, then those, scaled, and gravity.
 template <int Dim>
 struct AccelerationArguments {
   PairInput<Dim> pairs;  // near lists do
-  double h = 0;  // m
-  double m = 0;  // kg
+  double h = 0;          // m
+  double m = 0;          // kg
   float rest_density = 0;
-  double nu = 0;  // m^2/s
-  double s = 0;   // of the surface tension, m^(Dim + 2)/s^2
+  int exponent = 0;
+  float sound_speed = 0;  // at rest density, m/s
+  double nu = 0;          // m^2/s
+  double s = 0;           // of the surface tension, m^(Dim + 2)/s^2
   float gravity[Dim] = {};
   const std::int32_t* id = nullptr;
   const float* density = nullptr;
@@ -56,9 +58,13 @@ struct AccelerationArguments {
 };
 template <int Dim>
 using AddAcceleration = void (*)(const AccelerationArguments<Dim>& in, std::int32_t tile);
-// Returns the square of the largest acceleration, m^2/s^4.
+// What bounds the time step, the largest of a tile's particles.
+struct AccelerationExtremes {
+  float acceleration_squared = 0;  // m^2/s^4
+  float signal_speed = 0;          // m/s
+};
 template <int Dim>
-using FinishAcceleration = float (*)(const AccelerationArguments<Dim>& in, std::int32_t tile);
+using FinishAcceleration = AccelerationExtremes (*)(const AccelerationArguments<Dim>& in, std::int32_t tile);
 
 // What moving a tile's particles by one step found.
 template <int Dim>

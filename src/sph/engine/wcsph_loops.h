@@ -30,7 +30,7 @@ WEIR_INLINE void fill(float* values, const Tile& slots, float value) {
 }
 
 template <int Dim, template <int> class Kernel>
-float density(const DensityInput<Dim>& in, std::int32_t tile) {
+void density(const DensityInput<Dim>& in, std::int32_t tile) {
   const Tile slots = in.pairs.tiles[tile];
   const auto kernel = kernel_at<Kernel, Dim>(in.h);
   const DensityPass<Dim, KernelAt<Kernel<Dim>, Real>> pass{kernel};
@@ -43,7 +43,6 @@ float density(const DensityInput<Dim>& in, std::int32_t tile) {
            [&](Narrowed& lists) { visit_walls<Dim>(in.pairs, tile, pass, sums, lists); });
   }
 
-  Lanes largest;
   for (std::int32_t i = slots.begin; i < slots.end; i += lanes) {
     const Mask particle = not_negative(in.id + i);
     const Lanes rest_density = in.rest_density;
@@ -52,10 +51,8 @@ float density(const DensityInput<Dim>& in, std::int32_t tile) {
     const Lanes p = pressure_of_state(rho / rest_density, Lanes(in.stiffness), in.exponent);
     const Lanes kept = in.clamp_negative_pressure ? positive_part(p) : p;
     store(rho, in.density + i);
-    largest = larger(largest, rho);
     store(select(particle, pressure_over_density_squared(kept, rho), Lanes()), in.pressure + i);
   }
-  return greatest(largest);
 }
 
 template <int Dim>
@@ -113,23 +110,30 @@ void wall_acceleration(const AccelerationArguments<Dim>& in, std::int32_t tile) 
 }
 
 template <int Dim, template <int> class Kernel>
-float finish_acceleration(const AccelerationArguments<Dim>& in, std::int32_t tile) {
+AccelerationExtremes finish_acceleration(const AccelerationArguments<Dim>& in, std::int32_t tile) {
   const Tile slots = in.pairs.tiles[tile];
   const Lanes factor = kernel_at<Kernel, Dim>(in.h, -in.m).slope_factor();
+  const Lanes per_rest_density = 1 / in.rest_density;
   Lanes largest;
+  Lanes fastest_signal;
   for (std::int32_t i = slots.begin; i < slots.end; i += lanes) {
     const Mask particle = not_negative(in.id + i);
     const float* const sums = sums_at<Dim>(in.sums, slots.begin, i);
     Lanes square;
+    Lanes speed_squared;
     for (int d = 0; d < Dim; ++d) {
       const Lanes sum = load_clusters(sums + cluster * d, cluster * sum_width<Dim>);
       const Lanes a = select(particle, multiply_add(factor, sum, Lanes(in.gravity[d])), Lanes());
       store(a, in.acceleration[d] + i);
       square = multiply_add(a, a, square);
+      const Lanes v = load(in.velocity[d] + i);
+      speed_squared = multiply_add(v, v, speed_squared);
     }
     largest = larger(largest, square);
+    const Lanes ratio = sound_speed_ratio(load(in.density + i) * per_rest_density, in.exponent);
+    fastest_signal = larger(fastest_signal, signal_speed(Lanes(in.sound_speed) * ratio, square_root(speed_squared)));
   }
-  return greatest(largest);
+  return {greatest(largest), greatest(fastest_signal)};
 }
 
 template <int Dim>
