@@ -13,8 +13,6 @@ namespace {
 
 constexpr float full = 1024;  // of a pixel's area
 
-constexpr std::uint32_t square_texels = square_width * square_height / block_width;
-
 // Of dots, the parts that fall on two columns (or rows) of pixels, if their centres lie so far beyond the middle of the
 // first; or on three, so far beyond the middle of the second. They have the sum 1 and their centre there. A dot of less
 // than a pixel takes two, a larger one is spread (0 .. 1) so far that no pixel has more than its own area of it.
@@ -120,7 +118,7 @@ void Dots::count(Bins& bins) const {
 }
 
 // Four pixels at once.
-Dots::Texel Dots::resolved(const Sum* sums, float opacity) {
+Texel Dots::resolved(const Sum* sums, float opacity) {
   std::array<Lanes, 4> four;
   for (std::size_t k = 0; k < 4; ++k) four[k] = floats(reinterpret_cast<Whole>(sums[k]));
   const auto [red, green, blue, share] = transposed(four);

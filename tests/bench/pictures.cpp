@@ -158,6 +158,27 @@ void arrange(benchmark::State& state, Make make) {
   }
 }
 
+// The device's part.
+void shade(benchmark::State& state, Make make) {
+  const Still still = make(state.range(0));
+  const auto context = EglContext::open(device_choice(""));
+  {
+    DiscPainter painter(width, height);
+    const CameraPath camera(still.scene, still.still_life, {0, 0, width, height});
+    const DiscStyle style{0.5 * still.scene.particle_spacing, {0, 6}};
+    Backdrop background(width, height);
+    background.fill(0xffffffff);
+    MovieTarget target(width, height);
+    std::vector<std::uint8_t> stale;
+    painter.arrange({}, camera.at(0), style, stale);
+    painter.arrange(still.frames[0].particles, camera.at(0), style, stale);
+    for (auto _ : state) {
+      painter.draw(target.framebuffer(), {.movie = true, .straight = false, .background = {}}, background);
+      glFinish();
+    }
+  }
+}
+
 void read_movie(benchmark::State& state) {
   const auto context = EglContext::open(device_choice(""));
   MovieTarget target(width, height);
@@ -209,6 +230,7 @@ void draw_and_encode(benchmark::State& state, Make make) {
   STAGE_OF(name, 2d, wave); \
   STAGE_OF(name, 3d, column)
 STAGE(arrange);
+STAGE(shade);
 STAGE(draw_movie);
 BENCHMARK(draw_png)->MEASURED->Arg(15000)->Arg(100000);
 BENCHMARK(read_movie)->MEASURED;
