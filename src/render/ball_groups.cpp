@@ -10,8 +10,8 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-float least(Lanes of) { return std::min({of[0], of[1], of[2], of[3]}); }
-float most(Lanes of) { return std::max({of[0], of[1], of[2], of[3]}); }
+float least(Four of) { return std::min({of[0], of[1], of[2], of[3]}); }
+float most(Four of) { return std::max({of[0], of[1], of[2], of[3]}); }
 
 }  // namespace
 
@@ -28,17 +28,17 @@ BallView::BallView(const Projection& projection, double ball_radius, const std::
 
 // Bounds are a little wider than rounding needs.
 BallGroup group_of(std::span<const glm::vec4> particles, const BallView& view, int width, int height) {
-  Lanes low = all(infinity);
-  Lanes high = -low;
+  Four low = all(infinity);
+  Four high = -low;
   for (const glm::vec4& particle : particles) {
-    Lanes at;
+    Four at;
     std::memcpy(&at, &particle, sizeof(at));
     low = smaller(at, low);  // what is not a number is not smaller
     high = larger(at, high);
   }
   // The eight corners; between them everything is seen between where they are seen.
-  const Lanes y{low[1], high[1], low[1], high[1]};
-  const Lanes z{low[2], low[2], high[2], high[2]};
+  const Four y{low[1], high[1], low[1], high[1]};
+  const Four z{low[2], low[2], high[2], high[2]};
   const BallView::Seen a = view.of(all(low[0]), y, z);
   const BallView::Seen b = view.of(all(high[0]), y, z);
   const float front = least(smaller(a.depth, b.depth)) - 1.0001f * view.radius;

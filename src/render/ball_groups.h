@@ -11,7 +11,7 @@
 #include <span>
 
 #include "render/ball_pixels.h"
-#include "render/lanes.h"
+#include "render/four.h"
 #include "render/projection.h"
 
 namespace weir {
@@ -31,18 +31,18 @@ struct BallView {
   float steps_per_unit;
 
   struct Seen {
-    Lanes column;  // pixels
-    Lanes row;
-    Lanes depth;  // m
-    Lanes reach;  // pixels
+    Four column;  // pixels
+    Four row;
+    Four depth;  // m
+    Four reach;  // pixels
   };
-  Seen of(Lanes x, Lanes y, Lanes z) const {
+  Seen of(Four x, Four y, Four z) const {
     x -= eye.x;
     y -= eye.y;
     z -= eye.z;
     const auto along = [&](const glm::vec3& axis) { return axis.x * x + axis.y * y + axis.z * z; };
-    const Lanes depth = along(forward);
-    const Lanes scale = focal / depth;
+    const Four depth = along(forward);
+    const Four scale = focal / depth;
     return {principal.x + scale * along(right), principal.y - scale * along(up), depth,
             larger(scale * radius, all(least_ball))};
   }

@@ -10,10 +10,8 @@
 #include <immintrin.h>
 #endif
 
-#include "render/lanes.h"
-
-// Vectors are passed to nobody: functions that take them are part of their callers.
-#define WEIR_PART_OF_CALLER inline __attribute__((always_inline))
+#include "render/four.h"
+#include "simd/attributes.h"
 
 namespace weir {
 
@@ -23,21 +21,22 @@ constexpr float full = 1024;  // of a pixel's area
 constexpr float far = 1e38f;  // m
 constexpr float nowhere_hidden = std::numeric_limits<float>::infinity();
 
-// Two rows of four pixels in one register, or in two.
-using Floats = float __attribute__((vector_size(32)));
-using Numbers = std::int32_t __attribute__((vector_size(32)));
+// Two rows of four pixels in one register, or in two. They are passed to nobody: functions that take some are parts of
+// their callers, which say for which registers they are built.
+using Eight = float __attribute__((vector_size(32)));
+using EightWhole = std::int32_t __attribute__((vector_size(32)));
 
 int across(int pixels, int unit) { return (pixels + unit - 1) / unit; }
 
 }  // namespace
 
 // Aligned for the widest loop: without AVX the compiler would be content with half.
-struct alignas(sizeof(Floats)) BallPixels::Block {
-  Floats nearest;  // depth of the surface, m
-  Floats second;
-  Floats covered;  // in 1/1024; grows beyond a whole pixel
-  Numbers nearest_ball;
-  Numbers second_ball;
+struct alignas(sizeof(Eight)) BallPixels::Block {
+  Eight nearest;  // depth of the surface, m
+  Eight second;
+  Eight covered;  // in 1/1024; grows beyond a whole pixel
+  EightWhole nearest_ball;
+  EightWhole second_ball;
 };
 
 // A ball covers less of a pixel as the squared distance grows, from all to none over about a pixel, in the middle of which
@@ -60,55 +59,55 @@ namespace {
 using Block = BallPixels::Block;
 using Seen = BallPixels::Seen;
 
-WEIR_PART_OF_CALLER bool all_lanes(const Numbers& masks) {
+WEIR_INLINE bool all_lanes(const EightWhole& masks) {
   std::array<std::uint64_t, 4> parts;
   std::memcpy(parts.data(), &masks, sizeof(parts));
   return (parts[0] & parts[1] & parts[2] & parts[3]) == ~std::uint64_t{0};
 }
 
-WEIR_PART_OF_CALLER void share_of(const Seen& seen, const Floats& squared, Floats& share) {
-  const Floats zero{};
-  const Floats one = zero + 1;
-  const Floats most = zero + seen.most;
+WEIR_INLINE void share_of(const Seen& seen, const Eight& squared, Eight& share) {
+  const Eight zero{};
+  const Eight one = zero + 1;
+  const Eight most = zero + seen.most;
   share = seen.middle - seen.slope * squared;
   share = share < most ? share : most;
   share = share > zero ? share : zero;
-  const Floats floor = __builtin_convertvector(__builtin_convertvector(share, Numbers), Floats);
+  const Eight floor = __builtin_convertvector(__builtin_convertvector(share, EightWhole), Eight);
   share = floor + (floor < share ? one : zero);
 }
 
 // The pixels of two blocks, the first of which has its upper left corner in `left`, `top`. Whether all of them are covered
 // and show two balls then.
-WEIR_PART_OF_CALLER bool add_to_blocks(Block* blocks, const Seen& seen, std::int32_t number, int left, int top) {
-  const Floats zero{};
-  const Floats far_away = zero + far;
-  const Floats deepest = zero + seen.radius;
-  const Floats whole = zero + full;
-  const Floats off_x = Floats{0.5f, 1.5f, 2.5f, 3.5f, 0.5f, 1.5f, 2.5f, 3.5f} + (static_cast<float>(left) - seen.x);
-  const Floats squared_x = off_x * off_x;
-  const Numbers ball = Numbers{} + number;
-  Numbers done = ~Numbers{};
+WEIR_INLINE bool add_to_blocks(Block* blocks, const Seen& seen, std::int32_t number, int left, int top) {
+  const Eight zero{};
+  const Eight far_away = zero + far;
+  const Eight deepest = zero + seen.radius;
+  const Eight whole = zero + full;
+  const Eight off_x = Eight{0.5f, 1.5f, 2.5f, 3.5f, 0.5f, 1.5f, 2.5f, 3.5f} + (static_cast<float>(left) - seen.x);
+  const Eight squared_x = off_x * off_x;
+  const EightWhole ball = EightWhole{} + number;
+  EightWhole done = ~EightWhole{};
   for (int k = 0; k < 2; ++k, top += block_height) {
     Block& block = blocks[k];
-    const Floats off_y = Floats{0.5f, 0.5f, 0.5f, 0.5f, 1.5f, 1.5f, 1.5f, 1.5f} + (static_cast<float>(top) - seen.y);
-    const Floats squared = squared_x + off_y * off_y;
-    Floats share;
+    const Eight off_y = Eight{0.5f, 0.5f, 0.5f, 0.5f, 1.5f, 1.5f, 1.5f, 1.5f} + (static_cast<float>(top) - seen.y);
+    const Eight squared = squared_x + off_y * off_y;
+    Eight share;
     share_of(seen, squared, share);
-    Floats deep = seen.curve * squared;
+    Eight deep = seen.curve * squared;
     deep = deep < deepest ? deep : deepest;
-    const Floats key = share > zero ? seen.front + deep : far_away;
-    const Floats nearest = block.nearest;
-    const Floats second = block.second;
-    const Numbers nearest_ball = block.nearest_ball;
-    const Numbers second_ball = block.second_ball;
-    const Numbers is_nearer = key < nearest;
+    const Eight key = share > zero ? seen.front + deep : far_away;
+    const Eight nearest = block.nearest;
+    const Eight second = block.second;
+    const EightWhole nearest_ball = block.nearest_ball;
+    const EightWhole second_ball = block.second_ball;
+    const EightWhole is_nearer = key < nearest;
     // What covers all of a pixel is its own second: so nothing behind it is looked for.
-    const Numbers is_all = share >= whole;
-    const Floats behind = is_nearer & ~is_all ? nearest : key;
-    const Numbers behind_ball = is_nearer & ~is_all ? nearest_ball : ball;
-    const Numbers is_second = is_nearer | (behind < second);
-    const Floats covered = block.covered + share;
-    const Floats new_second = is_second ? behind : second;
+    const EightWhole is_all = share >= whole;
+    const Eight behind = is_nearer & ~is_all ? nearest : key;
+    const EightWhole behind_ball = is_nearer & ~is_all ? nearest_ball : ball;
+    const EightWhole is_second = is_nearer | (behind < second);
+    const Eight covered = block.covered + share;
+    const Eight new_second = is_second ? behind : second;
     block.covered = covered;
     block.nearest = is_nearer ? key : nearest;
     block.nearest_ball = is_nearer ? ball : nearest_ball;
@@ -124,37 +123,37 @@ using Added = BallPixels::Added;
 // Of the balls of eight pixels: how far each pixel is to the right of its ball's centre and up, in radii as drawn; the ball's
 // colour and its share of the pixel.
 struct Look {
-  Floats right;
-  Floats up;
-  Floats share;
-  Numbers color;
+  Eight right;
+  Eight up;
+  Eight share;
+  EightWhole color;
 };
 
-WEIR_PART_OF_CALLER void look_at(const Added* balls, const Numbers& numbers, int left, int top, Look& look) {
-  std::array<Floats, 4> of;  // each of a ball in the upper row and of the one below
+WEIR_INLINE void look_at(const Added* balls, const EightWhole& numbers, int left, int top, Look& look) {
+  std::array<Eight, 4> of;  // each of a ball in the upper row and of the one below
   for (int k = 0; k < 4; ++k) {
-    Lanes upper;
-    Lanes lower;
+    Four upper;
+    Four lower;
     std::memcpy(&upper, &balls[numbers[k]], sizeof(upper));
     std::memcpy(&lower, &balls[numbers[k + 4]], sizeof(lower));
     of[k] = __builtin_shufflevector(upper, lower, 0, 1, 2, 3, 4, 5, 6, 7);
   }
-  const Floats low_a = __builtin_shufflevector(of[0], of[1], 0, 8, 1, 9, 4, 12, 5, 13);
-  const Floats low_b = __builtin_shufflevector(of[2], of[3], 0, 8, 1, 9, 4, 12, 5, 13);
-  const Floats high_a = __builtin_shufflevector(of[0], of[1], 2, 10, 3, 11, 6, 14, 7, 15);
-  const Floats high_b = __builtin_shufflevector(of[2], of[3], 2, 10, 3, 11, 6, 14, 7, 15);
-  const std::array<Floats, 4> fields = {__builtin_shufflevector(low_a, low_b, 0, 1, 8, 9, 4, 5, 12, 13),
-                                        __builtin_shufflevector(low_a, low_b, 2, 3, 10, 11, 6, 7, 14, 15),
-                                        __builtin_shufflevector(high_a, high_b, 0, 1, 8, 9, 4, 5, 12, 13),
-                                        __builtin_shufflevector(high_a, high_b, 2, 3, 10, 11, 6, 7, 14, 15)};
-  const Floats off_x = Floats{0.5f, 1.5f, 2.5f, 3.5f, 0.5f, 1.5f, 2.5f, 3.5f} + static_cast<float>(left) - fields[0];
-  const Floats off_y = Floats{0.5f, 0.5f, 0.5f, 0.5f, 1.5f, 1.5f, 1.5f, 1.5f} + static_cast<float>(top) - fields[1];
-  const Floats zero{};
-  const Floats least = zero + least_ball;
-  const Floats size = fields[2];
-  const Floats drawn = size > least ? size : least;
-  const Floats part = 1 / drawn;
-  const Floats most = full * (size * part) * (size * part);
+  const Eight low_a = __builtin_shufflevector(of[0], of[1], 0, 8, 1, 9, 4, 12, 5, 13);
+  const Eight low_b = __builtin_shufflevector(of[2], of[3], 0, 8, 1, 9, 4, 12, 5, 13);
+  const Eight high_a = __builtin_shufflevector(of[0], of[1], 2, 10, 3, 11, 6, 14, 7, 15);
+  const Eight high_b = __builtin_shufflevector(of[2], of[3], 2, 10, 3, 11, 6, 14, 7, 15);
+  const std::array<Eight, 4> fields = {__builtin_shufflevector(low_a, low_b, 0, 1, 8, 9, 4, 5, 12, 13),
+                                       __builtin_shufflevector(low_a, low_b, 2, 3, 10, 11, 6, 7, 14, 15),
+                                       __builtin_shufflevector(high_a, high_b, 0, 1, 8, 9, 4, 5, 12, 13),
+                                       __builtin_shufflevector(high_a, high_b, 2, 3, 10, 11, 6, 7, 14, 15)};
+  const Eight off_x = Eight{0.5f, 1.5f, 2.5f, 3.5f, 0.5f, 1.5f, 2.5f, 3.5f} + static_cast<float>(left) - fields[0];
+  const Eight off_y = Eight{0.5f, 0.5f, 0.5f, 0.5f, 1.5f, 1.5f, 1.5f, 1.5f} + static_cast<float>(top) - fields[1];
+  const Eight zero{};
+  const Eight least = zero + least_ball;
+  const Eight size = fields[2];
+  const Eight drawn = size > least ? size : least;
+  const Eight part = 1 / drawn;
+  const Eight most = full * (size * part) * (size * part);
   look.share = most * (0.5f + 0.5f * drawn - 0.5f * part * (off_x * off_x + off_y * off_y));
   look.share = look.share < most ? look.share : most;
   look.right = off_x * part;
@@ -162,10 +161,10 @@ WEIR_PART_OF_CALLER void look_at(const Added* balls, const Numbers& numbers, int
   std::memcpy(&look.color, &fields[3], sizeof(look.color));
 }
 
-WEIR_PART_OF_CALLER void square_root(Floats& of) {
+WEIR_INLINE void square_root(Eight& of) {
 #if defined(__x86_64__)
-  const Lanes low = _mm_sqrt_ps(__builtin_shufflevector(of, of, 0, 1, 2, 3));
-  const Lanes high = _mm_sqrt_ps(__builtin_shufflevector(of, of, 4, 5, 6, 7));
+  const Four low = _mm_sqrt_ps(__builtin_shufflevector(of, of, 0, 1, 2, 3));
+  const Four high = _mm_sqrt_ps(__builtin_shufflevector(of, of, 4, 5, 6, 7));
   of = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
 #else
   for (int k = 0; k < 8; ++k) of[k] = std::sqrt(of[k]);
@@ -174,45 +173,46 @@ WEIR_PART_OF_CALLER void square_root(Floats& of) {
 
 // Red, green and blue of the balls where they are looked at: light from behind the viewer's left shoulder, some from
 // everywhere, and a darker rim that sets neighbours apart.
-WEIR_PART_OF_CALLER void shade(const Look& look, std::array<Floats, 3>& rgb) {
-  const Floats zero{};
-  const Floats one = zero + 1;
-  Floats towards = 1 - (look.right * look.right + look.up * look.up);
+WEIR_INLINE void shade(const Look& look, std::array<Eight, 3>& rgb) {
+  const Eight zero{};
+  const Eight one = zero + 1;
+  Eight towards = 1 - (look.right * look.right + look.up * look.up);
   towards = towards > zero ? towards : zero;
   square_root(towards);
-  Floats diffuse = 0.7071f * towards + 0.5657f * look.up - 0.4243f * look.right;
+  Eight diffuse = 0.7071f * towards + 0.5657f * look.up - 0.4243f * look.right;
   diffuse = diffuse > zero ? diffuse : zero;
-  Floats inner = 2.5f * towards;
+  Eight inner = 2.5f * towards;
   inner = inner < one ? inner : one;
-  const Floats light = (0.42f + 0.58f * diffuse) * (0.55f + 0.45f * inner);
+  const Eight light = (0.42f + 0.58f * diffuse) * (0.55f + 0.45f * inner);
   for (int channel = 0; channel < 3; ++channel)
-    rgb[channel] = light * __builtin_convertvector(look.color >> (16 - 8 * channel) & 255, Floats);
+    rgb[channel] = light * __builtin_convertvector(look.color >> (16 - 8 * channel) & 255, Eight);
 }
 
-WEIR_PART_OF_CALLER void resolve_block(const Block& block, const Added* balls, float opacity, int left, int top,
-                                       Texel* texels) {
-  const Floats zero{};
-  const Floats whole = zero + full;
-  const Floats covered = block.covered < whole ? block.covered : whole;
+WEIR_INLINE void resolve_block(const Block& block, const Added* balls, float opacity, int left, int top,
+                               Texel* texels) {
+  const Eight zero{};
+  const Eight whole = zero + full;
+  const Eight covered = block.covered < whole ? block.covered : whole;
   Look look;
   look_at(balls, block.nearest_ball, left, top, look);
-  std::array<Floats, 3> rgb;
+  std::array<Eight, 3> rgb;
   shade(look, rgb);
   // What the nearest leaves of the covered part is the second's; those behind it look alike.
-  const Numbers is_front = look.share >= covered;
+  const EightWhole is_front = look.share >= covered;
   if (!all_lanes(is_front)) {
-    const Floats one = zero + 1;
-    const Floats front = is_front ? one : look.share / covered;
+    const Eight one = zero + 1;
+    const Eight front = is_front ? one : look.share / covered;
     look_at(balls, block.second_ball, left, top, look);
-    std::array<Floats, 3> behind;
+    std::array<Eight, 3> behind;
     shade(look, behind);
     for (int channel = 0; channel < 3; ++channel) rgb[channel] = front * rgb[channel] + (1 - front) * behind[channel];
   }
-  const Floats alpha = covered * (opacity * 255 / full);
-  Numbers packed =
-      __builtin_convertvector(rgb[0] + 0.5f, Numbers) | __builtin_convertvector(rgb[1] + 0.5f, Numbers) << 8 |
-      __builtin_convertvector(rgb[2] + 0.5f, Numbers) << 16 | __builtin_convertvector(alpha + 0.5f, Numbers) << 24;
-  packed = covered > zero ? packed : Numbers{};
+  const Eight alpha = covered * (opacity * 255 / full);
+  EightWhole packed = __builtin_convertvector(rgb[0] + 0.5f, EightWhole) |
+                      __builtin_convertvector(rgb[1] + 0.5f, EightWhole) << 8 |
+                      __builtin_convertvector(rgb[2] + 0.5f, EightWhole) << 16 |
+                      __builtin_convertvector(alpha + 0.5f, EightWhole) << 24;
+  packed = covered > zero ? packed : EightWhole{};
   std::memcpy(texels, &packed, sizeof(packed));
 }
 
@@ -360,8 +360,8 @@ void BallPixels::add(const ScreenBall& ball) {
       prefetch(blocks + columns_ * cell_blocks);  // the row below comes next
       if (touched_[cell] == 0) {
         touched_[cell] = 1;
-        const Floats nothing = Floats{} + far;
-        for (int k = 0; k < cell_blocks; ++k) blocks[k] = {nothing, nothing, Floats{}, Numbers{}, Numbers{}};
+        const Eight nothing = Eight{} + far;
+        for (int k = 0; k < cell_blocks; ++k) blocks[k] = {nothing, nothing, Eight{}, EightWhole{}, EightWhole{}};
       }
       if (loops_.add(blocks, seen, number, all_.left + column * cell_side, top) && hidden_from == nowhere_hidden)
         close(column, row);
@@ -371,9 +371,9 @@ void BallPixels::add(const ScreenBall& ball) {
 
 void BallPixels::close(int column, int row) {
   const std::size_t cell = cell_at(column, row);
-  const Floats upper = blocks_[cell * cell_blocks].second;
-  const Floats lower = blocks_[cell * cell_blocks + 1].second;
-  const Floats further = upper > lower ? upper : lower;
+  const Eight upper = blocks_[cell * cell_blocks].second;
+  const Eight lower = blocks_[cell * cell_blocks + 1].second;
+  const Eight further = upper > lower ? upper : lower;
   const auto larger_of = [&](int a, int b) { return std::max(further[a], further[b]); };
   const float furthest =
       std::max(std::max(larger_of(0, 1), larger_of(2, 3)), std::max(larger_of(4, 5), larger_of(6, 7)));

@@ -1,8 +1,8 @@
 // Draws particles of one size as discs (2D) or lit balls (perspective), over a background, into a colour or a movie target.
-// The processor projects them and lists for each part of the picture those that touch it; the device shades. Discs smaller
-// than a pixel are all the processor's.
+// The processor projects discs and lists for each part of the picture those that touch it; the device shades. Of dots, discs
+// smaller than a pixel, and of balls the processor makes pixels, and the device puts them over the background.
 //
-// Of the ways measured on the software renderer (points, quads, gathering by pixels or by blocks of pixels) this, by
+// Of the ways measured for discs on the software renderer (points, quads, gathering by pixels or by blocks of pixels) this, by
 // blocks, is the fastest from a few thousand particles on; a graphics card draws it as well as any.
 #pragma once
 

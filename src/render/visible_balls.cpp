@@ -65,17 +65,17 @@ void VisibleBalls::project(std::span<const glm::vec4> particles, const BallView&
   const auto right = static_cast<float>(within.right + 1);
   const auto top = static_cast<float>(within.top);
   const auto bottom = static_cast<float>(within.bottom + 1);
-  visit_by_four(particles, [&](const std::array<Lanes, 4>& four) {
+  visit_by_four(particles, [&](const std::array<Four, 4>& four) {
     const BallView::Seen seen = view.of(four[0], four[1], four[2]);
-    const Lanes place = (four[3] - view.low) * view.steps_per_unit;
-    const Whole is_seen = (seen.depth > view.radius) & (seen.column > left - seen.reach) &
-                          (seen.column < right + seen.reach) & (seen.row > top - seen.reach) &
-                          (seen.row < bottom + seen.reach) & (place == place);
-    const Whole color = truncated(larger(smaller(place, all(255)), all(0)) + 0.5f);
-    const Whole layer = truncated(smaller(seen.depth * layers_per_metre_, all(layers - 1)));
-    Whole colors_of{};
+    const Four place = (four[3] - view.low) * view.steps_per_unit;
+    const FourWhole is_seen = (seen.depth > view.radius) & (seen.column > left - seen.reach) &
+                              (seen.column < right + seen.reach) & (seen.row > top - seen.reach) &
+                              (seen.row < bottom + seen.reach) & (place == place);
+    const FourWhole color = truncated(larger(smaller(place, all(255)), all(0)) + 0.5f);
+    const FourWhole layer = truncated(smaller(seen.depth * layers_per_metre_, all(layers - 1)));
+    FourWhole colors_of{};
     for (int k = 0; k < 4; ++k) colors_of[k] = static_cast<std::int32_t>(colors[color[k]]);
-    const std::array<Lanes, 4> balls = transposed({seen.column, seen.row, seen.depth, std::bit_cast<Lanes>(colors_of)});
+    const std::array<Four, 4> balls = transposed({seen.column, seen.row, seen.depth, std::bit_cast<Four>(colors_of)});
     for (int k = 0; k < 4; ++k) {
       if (is_seen[k] == 0) continue;
       next_.push_back(layers_[layer[k]]);

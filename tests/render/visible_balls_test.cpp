@@ -69,11 +69,11 @@ Picture picture_of(const std::vector<glm::vec4>& particles, const View& view, in
 }
 
 std::vector<ScreenBall> seen(const std::vector<glm::vec4>& particles, const View& view) {
-  const BallView in_lanes(view.projection(), view.radius, view.style().range);
+  const BallView in_fours(view.projection(), view.radius, view.style().range);
   std::vector<ScreenBall> balls;
   for (const glm::vec4& particle : particles) {
-    const BallView::Seen at = in_lanes.of(all(particle.x), all(particle.y), all(particle.z));
-    if (!(at.depth[0] > in_lanes.radius)) continue;
+    const BallView::Seen at = in_fours.of(all(particle.x), all(particle.y), all(particle.z));
+    if (!(at.depth[0] > in_fours.radius)) continue;
     const auto place = static_cast<std::size_t>(std::clamp(particle.w, 0.0f, 255.0f) + 0.5f);
     balls.push_back({at.column[0], at.row[0], at.depth[0], colors()[place]});
   }
@@ -219,13 +219,13 @@ TEST(VisibleBalls, AreTheSamePixelsForAnyNumberOfThreads) {
 TEST(VisibleBalls, AreTheSkinOfABox) {
   const View view{0.005, 2.4 / 0.005};
   const std::vector<glm::vec4> balls = box(view, 24, 24, 0.2);
-  const BallView in_lanes(view.projection(), view.radius, view.style().range);
+  const BallView in_fours(view.projection(), view.radius, view.style().range);
   std::vector<BallGroup> groups;
   for (std::size_t first = 0; first < balls.size(); first += BallGroup::most)
-    groups.push_back(group_of(std::span(balls).subspan(first, BallGroup::most), in_lanes, width, height));
+    groups.push_back(group_of(std::span(balls).subspan(first, BallGroup::most), in_fours, width, height));
   BallPixels pixels({0, 0, width - 1, height - 1});
   pixels.begin(view.radius, view.focal, 2.4);
-  VisibleBalls().add_to(pixels, balls, groups, in_lanes, colors());
+  VisibleBalls().add_to(pixels, balls, groups, in_fours, colors());
   EXPECT_GT(pixels.added(), 24U * 24);      // at least the front
   EXPECT_LT(pixels.added(), 7U * 24 * 24);  // of 24 layers about six, until no gap is left between balls out of line
 }
