@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "equations/density.h"
 #include "equations/energy.h"
-#include "equations/kernels.h"
 #include "equations/kernels.h"
 #include "equations/state.h"
 #include "scene/geometry.h"
