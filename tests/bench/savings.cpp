@@ -1,6 +1,9 @@
 // What is saved where a picture or a part of it is as it was, each with and without, for 15,000 discs in a tank.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+
+#include "render/balls.h"
 #include "render/camera.h"
 #include "render/disc_painter.h"
 #include "render/egl_context.h"
@@ -34,7 +37,7 @@ void draw(benchmark::State& state, const Still& still, const std::vector<const F
   for (auto _ : state) draw_next();
 }
 
-std::vector<const Frame*> all(const Still& still) {
+std::vector<const Frame*> frames_of(const Still& still) {
   std::vector<const Frame*> frames;
   for (const Frame& frame : still.frames) frames.push_back(&frame);
   return frames;
@@ -50,7 +53,7 @@ void view(benchmark::State& state, bool moves) {
     nearer.width *= 0.999;
     still.scene.camera.keyframes = {{0.4, all_in_view()}, {0.7, nearer}};
   }
-  draw(state, still, all(still));
+  draw(state, still, frames_of(still));
 }
 BENCHMARK_CAPTURE(view, stays, false)->MEASURED;
 BENCHMARK_CAPTURE(view, moves, true)->MEASURED;
@@ -59,7 +62,7 @@ void picture(benchmark::State& state, bool changes) {
   Still still = with_overlay();
   still.scene.camera.view = all_in_view();
   if (changes)
-    draw(state, still, all(still));
+    draw(state, still, frames_of(still));
   else
     draw(state, still, {&still.frames[0]});
 }
@@ -93,10 +96,40 @@ BENCHMARK_CAPTURE(empty_blocks, shaded, true)->MEASURED;
 void fluid(benchmark::State& state, bool on_camera) {
   Still still = wave(particles);
   still.scene.camera.view = View2D{on_camera ? Vec3(1.8, 0.9, 0) : Vec3(1.8, 30, 0), 4};
-  draw(state, still, all(still));
+  draw(state, still, frames_of(still));
 }
 BENCHMARK_CAPTURE(fluid, off_camera, false)->MEASURED;
 BENCHMARK_CAPTURE(fluid, on_camera, true)->MEASURED;
+
+// A million balls of a column, from the front to the back as they are drawn, and from the back to the front, when nothing is
+// hidden by what came before.
+void hidden_balls_left_out(benchmark::State& state) {
+  const Still still = column(state.range(0));
+  const CameraPath camera(still.scene, still.still_life, {0, 0, picture_width, picture_height});
+  Balls balls(picture_width, picture_height, 1);
+  for (auto _ : state)
+    balls.show(still.frames[0].particles, camera.at(0), {0.5 * still.scene.particle_spacing, {0, 6}}, Colormap{});
+}
+BENCHMARK(hidden_balls_left_out)->MEASURED->Arg(1000000);
+
+void hidden_balls_drawn(benchmark::State& state) {
+  const Still still = column(state.range(0));
+  const CameraPath camera(still.scene, still.still_life, {0, 0, picture_width, picture_height});
+  const double radius = 0.5 * still.scene.particle_spacing;
+  const BallView view(camera.at(0), radius, {0, 6});
+  std::vector<ScreenBall> balls;
+  for (const glm::vec4& particle : still.frames[0].particles) {
+    const BallView::Seen seen = view.of(all(particle.x), all(particle.y), all(particle.z));
+    balls.push_back({seen.column[0], seen.row[0], seen.depth[0], 0});
+  }
+  std::sort(balls.begin(), balls.end(), [](const ScreenBall& a, const ScreenBall& b) { return a.depth > b.depth; });
+  BallPixels pixels({0, 0, picture_width - 1, picture_height - 1});
+  for (auto _ : state) {
+    pixels.begin(radius, camera.at(0).focal, camera.at(0).pixels_per_metre() * radius);
+    for (const ScreenBall& ball : balls) pixels.add(ball);
+  }
+}
+BENCHMARK(hidden_balls_drawn)->MEASURED->Arg(1000000);
 
 }  // namespace
 }  // namespace weir
