@@ -54,12 +54,15 @@ int require(int code, const std::string& doing) {
 
 std::string url_of(const std::filesystem::path& file) { return "file:" + file.string(); }
 
-Input open_input(const std::filesystem::path& file) {
-  const std::string doing = "read " + file.string();
+Input open_container(const std::filesystem::path& file) {
   AVFormatContext* format = nullptr;
-  require(avformat_open_input(&format, url_of(file).c_str(), nullptr, nullptr), doing);
-  Input input(format);
-  require(avformat_find_stream_info(format, nullptr), doing);
+  require(avformat_open_input(&format, url_of(file).c_str(), nullptr, nullptr), "read " + file.string());
+  return Input(format);
+}
+
+Input open_input(const std::filesystem::path& file) {
+  Input input = open_container(file);
+  require(avformat_find_stream_info(input.get(), nullptr), "read " + file.string());
   return input;
 }
 

@@ -46,7 +46,10 @@ T* require(T* pointer, const std::string& doing) {
   return pointer;
 }
 
-Input open_input(const std::filesystem::path& file);  // throws OutputError
+// What the file's own headers say of it. Throws OutputError.
+Input open_container(const std::filesystem::path& file);
+// And what its first pictures say, which takes decoding them. Throws OutputError.
+Input open_input(const std::filesystem::path& file);
 // A file's name that libav never takes for a protocol's, whatever it contains.
 std::string url_of(const std::filesystem::path& file);
 

@@ -21,6 +21,8 @@ Function* movie_function(const char* symbol) {
 
 }  // namespace
 
+void load_movies() { movie_function<decltype(weir_open_movie)>("weir_open_movie"); }
+
 std::unique_ptr<MovieSink> make_movie_sink(const std::filesystem::path& folder, const Scene& scene,
                                            const Provenance& provenance) {
   std::unique_ptr<MovieSink> sink;

@@ -89,10 +89,10 @@ struct CloseOutput {
   }
 };
 
-void copy_movie(const std::filesystem::path& from, const std::filesystem::path& to) {
+void copy_movie(const std::filesystem::path& from, const std::filesystem::path& to, int fps) {
   const std::string reading = "read " + from.string();
   const std::string writing = "write " + to.string();
-  const Input input = open_input(from);
+  const Input input = open_container(from);
   AVFormatContext* created = nullptr;
   require(avformat_alloc_output_context2(&created, nullptr, "mp4", url_of(to).c_str()), writing);
   const std::unique_ptr<AVFormatContext, CloseOutput> output(created);
@@ -102,7 +102,8 @@ void copy_movie(const std::filesystem::path& from, const std::filesystem::path& 
   AVStream* target = require(avformat_new_stream(output.get(), nullptr), writing);
   require(avcodec_parameters_copy(target->codecpar, source->codecpar), writing);
   target->time_base = source->time_base;
-  target->avg_frame_rate = source->avg_frame_rate;
+  target->avg_frame_rate = {fps, 1};
+  target->codecpar->sample_aspect_ratio = target->sample_aspect_ratio = {1, 1};
   require(av_dict_copy(&output->metadata, input->metadata, 0), writing);
   AVDictionary* options = nullptr;
   av_dict_set(&options, "movflags", "faststart", 0);
@@ -126,10 +127,10 @@ void copy_movie(const std::filesystem::path& from, const std::filesystem::path& 
 
 }  // namespace
 
-void remux_faststart(const std::filesystem::path& from, const std::filesystem::path& to) {
+void remux_faststart(const std::filesystem::path& from, const std::filesystem::path& to, int fps) {
   const std::filesystem::path temporary = temporary_of(to);
   try {
-    copy_movie(from, temporary);
+    copy_movie(from, temporary, fps);
     std::filesystem::rename(temporary, to);
   } catch (...) {
     std::error_code ignored;

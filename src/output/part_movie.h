@@ -41,8 +41,8 @@ class PartMovie {
   bool broken_ = false;
 };
 
-// `from`, a fragmented file, becomes `to` with one index in front of the pictures. Throws OutputError; then `to` is as
+// `from`, a PartMovie's file, becomes `to` with one index in front of the pictures. Throws OutputError; then `to` is as
 // it was.
-void remux_faststart(const std::filesystem::path& from, const std::filesystem::path& to);
+void remux_faststart(const std::filesystem::path& from, const std::filesystem::path& to, int fps);
 
 }  // namespace weir::av

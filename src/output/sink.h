@@ -32,6 +32,9 @@ class MovieSink {
   virtual const std::string& encoder() const = 0;
 };
 
+// Loads what make_movie_sink() needs, which takes some 30 ms, in advance. Throws OutputError.
+void load_movies();
+
 // Loads the module. Writes <folder>/<name>.part.mp4 while open. Throws OutputError (no encoder: all that were tried).
 std::unique_ptr<MovieSink> make_movie_sink(const std::filesystem::path& folder, const Scene& scene,
                                            const Provenance& provenance);

@@ -19,6 +19,7 @@ Pictures::Pictures(const Scene& scene, const StillLife& still_life, const Device
     draw_frames(still_life, device, std::move(promise));
   });
   try {
+    if (scene.output.movie) load_movies();  // while the device starts
     gl_renderer_ = made.get();
   } catch (...) {
     end_threads();
