@@ -227,7 +227,7 @@ std::string real_time_csv(const SpeedOptions& speed, const ReportOptions& option
       const auto start = std::chrono::steady_clock::now();
       while (!simulation->finished()) simulation->step();
       const double wall = seconds_since(start);
-      csv += fmt::format("{},{},{:g},{:g},{:.3f},{:.3f}\n", scene.name, simulation->fluid_particles(), k,
+      csv += fmt::format("{},{},{:g},{:g},{:.4g},{:.4g}\n", scene.name, simulation->fluid_particles(), k,
                          simulation->simulated_time(), wall, simulation->simulated_time() / wall);
       options.message(fmt::format("{} with k = {:g} Pa: {:.2f} s simulated per second", scene.name, k,
                                   simulation->simulated_time() / wall));

@@ -172,15 +172,19 @@ struct BruteForce {
     for (std::size_t i = 0; i < a.size(); ++i) a[i] = acceleration(i, rho);
     return a;
   }
-  // What the error of the pressures makes of the solver's acceleration of i.
-  double acceleration_tolerance_by_pressure(std::size_t i, const std::vector<double>& rho) const {
-    double sum = 0;
-    const double own = term_tolerance(rho[i]);
+  // What errors of the pressures make of the solver's acceleration of i, at most: its own acts through all of its
+  // neighbours together, theirs each in the worst direction.
+  V acceleration_tolerance_by_pressure(std::size_t i, const std::vector<double>& rho) const {
+    V together{};
+    V apart{};
     for (std::size_t j = 0; j < state.size(); ++j) {
-      sum += m * norm(grad_w(state.position[i] - state.position[j])) * (own + term_tolerance(rho[j]));
+      const V gradient = m * grad_w(state.position[i] - state.position[j]);
+      together += gradient;
+      for (int d = 0; d < Dim; ++d) apart[d] += term_tolerance(rho[j]) * std::abs(gradient[d]);
     }
-    for (const V& x_j : state.wall) sum += 2 * m * norm(grad_w(state.position[i] - x_j)) * own;
-    return sum;
+    for (const V& x_j : state.wall) together += 2 * m * grad_w(state.position[i] - x_j);
+    for (int d = 0; d < Dim; ++d) apart[d] += term_tolerance(rho[i]) * std::abs(together[d]);
+    return apart;
   }
 
   // c at this density where compressed, c0 elsewhere: c0^2 = n k / rho0, c^2 = dp/drho.
