@@ -2,6 +2,15 @@
 
 #include "simd/lanes.h"
 
+// Newer than what instruction_set.cpp asks the processor for.
+#if !defined(WEIR_PORTABLE_LANES)
+#if defined(__AVX512VBMI__) || defined(__AVX512VBMI2__) || defined(__AVX512IFMA__) || defined(__AVX512VNNI__) ||       \
+    defined(__AVX512BITALG__) || defined(__AVX512VPOPCNTDQ__) || defined(__AVX512BF16__) || defined(__AVX512FP16__) || \
+    defined(__AVXVNNI__) || defined(__GFNI__) || defined(__VAES__) || defined(__VPCLMULQDQ__)
+#error "built with instructions that are used without asking for them: see instruction_set.cpp"
+#endif
+#endif
+
 namespace weir::WEIR_INSTRUCTION_SET {
 
 namespace {
