@@ -2,23 +2,21 @@
 // Each fragment shades a block of 4 x 2 pixels: it looks up the discs that touch it in the bins and mixes them over the
 // background. Blocks, because looking up costs as much as shading; 4 x 2, because a block holds whole samples of chroma.
 //
-// BALLS: lit balls in perspective instead of discs. DOTS: discs that the processor has added up to pixels. OVERLAY: a layer
-// on top. YUV: out comes Y'CbCr of a movie, otherwise RGBA.
+// PIXELS: dots or balls, of which the processor has made pixels, instead of discs. OVERLAY: a layer on top. YUV: out comes
+// Y'CbCr of a movie, otherwise RGBA.
 //
-// Pixels do not depend on the order in which particles came: what decides overlaps of discs are minima, balls are listed in
-// an order of their own, and their coverage is summed in whole 1/1024, which floating point adds exactly.
+// Pixels do not depend on the order in which particles came: what decides overlaps of discs are minima.
 
 uniform usamplerBuffer bins;      // for each the first entry and the one past the last; past before first: nothing to do
-uniform usamplerBuffer entries;   // discs as in disc_painter.h, or DOTS as in dots.h
+uniform usamplerBuffer entries;   // discs as in disc_painter.cpp, or PIXELS as in texel.h
 uniform usamplerBuffer under;     // rows of the background, 4 pixels a texel, colours multiplied with alpha
 uniform int under_columns;        // texels a row
 uniform usampler2D over_even;     // even rows of the layer on top, colours not multiplied
 uniform usampler2D over_odd;
 uniform int bin_shift;            // a bin is 2^bin_shift blocks wide and high
 uniform int bin_columns;
-uniform float radius;             // pixels; of BALLS, metres
+uniform float radius;             // pixels
 uniform float edge;               // of discs, pixels; see coverage()
-uniform float focal;              // of BALLS, pixels per metre at one metre of depth
 uniform float opacity;            // of all discs
 uniform vec3 background;          // 0 .. 255, behind all that is translucent in a movie
 uniform bool straight;            // RGBA is not multiplied with alpha
@@ -37,48 +35,10 @@ layout(location = 1) out uvec4 odd_row;
 #endif
 const int first_column = 4 - columns;
 const int count = 2 * columns;
-const float full = 1024.0;  // coverage of a whole pixel
-const float far = 1e38;     // squared pixels; of BALLS, metres
+const float far = 1e38;  // squared pixels
 
 vec3 unpack_rgb(uint color) { return vec3(color & 255u, color >> 8 & 255u, color >> 16 & 255u); }
 
-#ifdef BALLS
-// How bright a ball is where its surface looks along `normal` (right, up, towards the eye): light from behind the viewer's
-// left shoulder, some from everywhere, and a darker rim that sets neighbours apart.
-float light(vec3 normal) {
-  float diffuse = max(dot(normal, vec3(-0.4243, 0.5657, 0.7071)), 0.0);
-  return (0.42 + 0.58 * diffuse) * mix(0.55, 1.0, min(2.5 * normal.z, 1.0));
-}
-
-// A ball as the picture sees it. It covers less of a pixel as the squared distance grows, from all to none over about a
-// pixel, in the middle of which lies the edge: the integral is the area of the disc. visible_balls.cpp counts on that.
-struct Seen {
-  vec2 center;   // pixels
-  float depth;   // m
-  float size;    // pixels; a smaller ball is fainter instead
-  float middle;  // the share of a pixel is middle - slope * squared distance, from 0 to most, in 1/1024
-  float slope;
-  float most;
-};
-Seen seen_as(uvec4 entry) {
-  Seen seen;
-  seen.center = uintBitsToFloat(entry.xy);
-  seen.depth = uintBitsToFloat(entry.w);
-  float size = radius * focal / seen.depth;
-  seen.size = max(size, 1.0);
-  seen.most = full * size * size / (seen.size * seen.size);
-  seen.slope = seen.most * 0.5 / seen.size;
-  seen.middle = seen.most * (0.5 + 0.5 * seen.size);
-  return seen;
-}
-float share_of(Seen seen, float squared) { return ceil(clamp(seen.middle - seen.slope * squared, 0.0, seen.most)); }
-
-// The colour at a pixel so far to the right of the centre and up.
-vec3 lit(Seen seen, vec2 off, uint color) {
-  off /= seen.size;
-  return light(vec3(off, sqrt(max(1.0 - dot(off, off), 0.0)))) * unpack_rgb(color);
-}
-#else
 // How much of a pixel a disc covers, from the squared distance of its centre alone: a smooth step of 4/3 pixels, in the
 // middle between edges along the pixels and across. It is off by 0.043 at most, where a straight edge along the pixels
 // just touches one: that gets a step of 7/8 in place of 1. `edge` is such that the integral is the disc's area.
@@ -86,16 +46,15 @@ float coverage(float squared) {
   float along = clamp(0.5 + 0.75 * (edge - sqrt(squared)), 0.0, 1.0);
   return along * along * (3.0 - 2.0 * along);
 }
-#endif
 
 uvec2 bin_of(ivec2 block) {
   ivec2 bin = block >> bin_shift;
   return texelFetch(bins, bin.y * bin_columns + bin.x).xy;
 }
 
-#ifdef DOTS
+#ifdef PIXELS
 // The upper and the lower row of a block.
-void fetch_dots(ivec2 block, out uvec4 even, out uvec4 odd) {
+void fetch_pixels(ivec2 block, out uvec4 even, out uvec4 odd) {
   uvec2 range = bin_of(block);
   ivec2 within = block & (1 << bin_shift) - 1;
   int at = int(range.x) + 2 * ((within.y << bin_shift) + within.x);
@@ -145,28 +104,20 @@ void main() {
   if (range.x > range.y) discard;
 #endif
 
-#ifndef DOTS
+#ifndef PIXELS
   float x[columns];
   for (int c = 0; c < columns; ++c) x[c] = float(max(4 * block.x + c + first_column, 0)) + 0.5;
   float y[2] = float[2](float(2 * block.y) + 0.5, float(2 * block.y) + 1.5);
 
   // Of the two discs with the nearest centres, which cover all of a pixel that discs cover: the squared distance, whose
-  // lowest 8 bits are the disc's place in the colour map, so that among equals the colour decides; and the colour. For BALLS,
-  // of the two nearest that touch the pixel: the depth of the surface, m, and which it is; equals are listed in an order of
-  // their own.
+  // lowest 8 bits are the disc's place in the colour map, so that among equals the colour decides; and the colour.
   float nearest[count];
   float second[count];
   uint nearest_disc[count];
   uint second_disc[count];
-#ifdef BALLS
-  float covered[count];
-#endif
   for (int k = 0; k < count; ++k) {
     nearest[k] = second[k] = far;
     nearest_disc[k] = second_disc[k] = 0u;
-#ifdef BALLS
-    covered[k] = 0.0;
-#endif
   }
 
   for (uint n = range.x; n < range.y; ++n) {
@@ -175,26 +126,6 @@ void main() {
     float center_y = uintBitsToFloat(entry.y);
     float squared_x[columns];
     for (int c = 0; c < columns; ++c) squared_x[c] = (x[c] - center_x) * (x[c] - center_x);
-#ifdef BALLS
-    // The surface is a paraboloid, which meets another where a sphere does, if both are equally far.
-    Seen seen = seen_as(entry);
-    float front = seen.depth - radius;
-    float curve = radius / (seen.size * seen.size);
-    for (int r = 0; r < 2; ++r) {
-      float squared_y = (y[r] - center_y) * (y[r] - center_y);
-      for (int c = 0; c < columns; ++c) {
-        int k = columns * r + c;
-        float squared = squared_x[c] + squared_y;
-        float share = share_of(seen, squared);
-        float key = share > 0.0 ? front + min(curve * squared, radius) : far;
-        covered[k] += share;
-        second_disc[k] = key < nearest[k] ? nearest_disc[k] : key < second[k] ? n : second_disc[k];
-        nearest_disc[k] = key < nearest[k] ? n : nearest_disc[k];
-        second[k] = min(second[k], max(nearest[k], key));
-        nearest[k] = min(nearest[k], key);
-      }
-    }
-#else
     uint color = entry.z;
     uint place = color >> 24;
     for (int r = 0; r < 2; ++r) {
@@ -208,7 +139,6 @@ void main() {
         nearest[k] = min(nearest[k], key);
       }
     }
-#endif
   }
 #endif
 
@@ -219,29 +149,17 @@ void main() {
   int left = beside.x - block.x;
   unpack_rows(texelFetch(under, even_at + left), texelFetch(under, odd_at + left), texelFetch(under, even_at),
               texelFetch(under, odd_at), pixels);
-#if defined DOTS || defined OVERLAY
+#if defined PIXELS || defined OVERLAY
   vec4 top[count];
 #endif
-#ifdef DOTS
+#ifdef PIXELS
   uvec4 left_even, left_odd, even, odd;
-  fetch_dots(beside, left_even, left_odd);
-  fetch_dots(block, even, odd);
+  fetch_pixels(beside, left_even, left_odd);
+  fetch_pixels(block, even, odd);
   unpack_rows(left_even, left_odd, even, odd, top);
   lay_over(pixels, top);
 #else
   for (int k = 0; k < count; ++k) {
-#ifdef BALLS
-    // What the nearest leaves of the covered part is the second's; those behind it look alike.
-    float alpha = min(covered[k] / full, 1.0);
-    uvec4 one = texelFetch(entries, int(nearest_disc[k]));
-    uvec4 two = texelFetch(entries, int(second_disc[k]));
-    Seen seen = seen_as(one);
-    Seen other = seen_as(two);
-    vec2 off = vec2(x[k % columns] - seen.center.x, seen.center.y - y[k / columns]);
-    vec2 off_other = vec2(x[k % columns] - other.center.x, other.center.y - y[k / columns]);
-    float front = min(share_of(seen, dot(off, off)) / max(min(covered[k], full), 1.0), 1.0);
-    vec3 rgb = mix(lit(other, off_other, two.z), lit(seen, off, one.z), front);
-#else
     float by_one = coverage(nearest[k]);
     float by_two = coverage(second[k]);
     float alpha = min(by_one + by_two, 1.0);
@@ -249,7 +167,6 @@ void main() {
     float apart = by_two > 0.0 ? second[k] - nearest[k] : far;
     float side = clamp(0.5 + apart / (4.0 * radius), 0.5, 1.0);
     vec3 rgb = mix(unpack_rgb(second_disc[k]), unpack_rgb(nearest_disc[k]), side);
-#endif
     pixels[k] = mix(pixels[k], vec4(rgb, 1.0), opacity * alpha);
   }
 #endif

@@ -13,9 +13,9 @@
 #include "cli/signals.h"
 #include "cli/wall_time.h"
 #include "core/error.h"
+#include "core/stopwatch.h"
 #include "core/team.h"
 #include "run/run_folder.h"
-#include "run/stopwatch.h"
 #include "scene/reader.h"
 
 namespace weir {

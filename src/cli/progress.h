@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "core/stopwatch.h"
 #include "run/run.h"
-#include "run/stopwatch.h"
 
 namespace weir {
 

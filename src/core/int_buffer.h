@@ -16,7 +16,6 @@ class IntBuffer {
   const std::int32_t* data() const { return data_; }
   std::int32_t* data() { return data_; }
   std::size_t size() const { return size_; }
-  std::size_t capacity() const { return capacity_; }
 
   // Room for `more` beyond size(), uninitialised.
   void reserve_more(std::size_t more) {

@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "core/trace.h"
+
 namespace weir {
 
 namespace {
@@ -62,6 +64,7 @@ Team::~Team() {
 }
 
 void Team::run(std::size_t count, Call call, const void* object) {
+  const Span span(loop_span);
   const std::size_t wanted = std::min({helpers_.size(), most_helpers_, count / turns_per_helper});
   if (wanted == 0) {
     for (std::size_t k = 0; k < count; ++k) call(object, k);

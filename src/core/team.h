@@ -18,6 +18,9 @@ int thread_count(int requested);
 
 class Team {
  public:
+  // How loops are called in a trace: what of a step is in none of them, one thread does alone.
+  static constexpr const char* loop_span = "loop of the team";
+
   explicit Team(int threads);  // the caller counts as one
   ~Team();
   Team(const Team&) = delete;

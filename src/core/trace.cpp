@@ -18,7 +18,7 @@ struct Event {
   int thread;
 };
 
-// Spans are milliseconds apart: one lock for all threads costs nothing.
+// Spans are tens of microseconds apart at least: one lock for all threads costs next to nothing.
 std::mutex mutex;
 std::vector<Event> events;
 std::map<int, const char*> thread_names;
@@ -49,6 +49,13 @@ void Trace::start() {
 void Trace::add(const char* name, std::int64_t begin, std::int64_t end) {
   const std::lock_guard lock(mutex);
   events.push_back({name, begin, end, this_thread()});
+}
+
+double Trace::total(std::string_view name) {
+  const std::lock_guard lock(mutex);
+  std::int64_t sum = 0;
+  for (const Event& event : events) sum += event.name == name ? event.end - event.begin : 0;
+  return 1e-9 * static_cast<double>(sum);
 }
 
 void Trace::drop() {

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace weir {
 
@@ -15,7 +16,9 @@ class Trace {
   static bool on() { return on_.load(std::memory_order_relaxed); }
   // All spans so far, as a JSON object in the Trace Event Format, and an end to recording.
   static std::string finish();
-  // The same, and nothing is kept.
+  // Of all spans of this name so far, s.
+  static double total(std::string_view name);
+  // An end to recording, and nothing is kept.
   static void drop();
   // How this thread is called in the viewer, if it is on. `name` must live for ever.
   static void name_thread(const char* name);

@@ -55,8 +55,6 @@ class Bins {
   // Writes entry_of(disc) to its places, in the order of the discs within each bin.
   template <class Disc, class Entry, class EntryOf>
   void scatter(std::span<const Disc> discs, Entry* entries, const EntryOf& entry_of);
-  // The place of the bin's next entry.
-  std::uint32_t next(std::size_t bin) { return next_[bin]++; }
 
  private:
   std::size_t at(int column, int row) const { return static_cast<std::size_t>(row) * columns_ + column; }

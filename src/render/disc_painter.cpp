@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include "render/assets.h"
-#include "render/lanes.h"
 #include "render/unroll.h"
 
 namespace weir {
@@ -27,6 +26,14 @@ void set(GLuint program, const char* name, double a) {
   glProgramUniform1f(program, glGetUniformLocation(program, name), static_cast<float>(a));
 }
 
+// What gather.frag reads of a disc: a texel.
+struct Entry {
+  float x = 0;  // pixels
+  float y = 0;
+  std::uint32_t color = 0;  // as in Disc
+  std::uint32_t unused = 0;
+};
+
 // A colour and its place in the map, as in Disc.
 std::array<std::uint32_t, 256> packed(Colormap colors) {
   for (std::uint32_t k = 0; k < colors.size(); ++k)
@@ -43,8 +50,8 @@ DiscPainter::DiscPainter(int width, int height)
     : width_(width),
       height_(height),
       bins_(width, height),
-      visible_balls_(width, height),
       dots_(width, height),
+      balls_(width, height, thread_count(0)),
       entries_(GL_RGBA32UI),
       ranges_(GL_RG32UI),
       square_texels_(GL_R32UI) {}
@@ -75,53 +82,15 @@ void DiscPainter::project_flat(std::span<const glm::vec4> particles, const Proje
   bins_.reset(bin_shift(radius_));
 }
 
-void DiscPainter::project_deep(std::span<const glm::vec4> particles, const Projection& projection,
-                               const DiscStyle& style) {
-  radius_ = style.radius;
-  focal_ = projection.focal;
-  are_dots_ = false;
-  const auto radius = static_cast<float>(style.radius);
-  const auto focal = static_cast<float>(projection.focal);
-  const glm::vec3 eye(projection.eye);
-  const glm::vec3 right(projection.right);
-  const glm::vec3 up(projection.up);
-  const glm::vec3 forward(projection.forward);
-  const glm::vec2 principal(projection.principal);
-  const glm::vec2 end(width_, height_);
-  const auto low = static_cast<float>(style.range[0]);
-  const float steps = steps_per_unit(style);
-  const Colormap colors = packed(style.colors);
-  bins_.reset(bin_shift(projection.pixels_per_metre() * style.radius));
-  visible_balls_.begin(style.radius, projection.focal, particles.size(), bins_);
-  visit_by_four(particles, [&](const std::array<Lanes, 4>& four) {
-    const Lanes x = four[0] - eye.x;
-    const Lanes y = four[1] - eye.y;
-    const Lanes z = four[2] - eye.z;
-    const auto along = [&](const glm::vec3& axis) { return axis.x * x + axis.y * y + axis.z * z; };
-    const Lanes depth = along(forward);
-    const Lanes scale = focal / depth;
-    const Lanes column = principal.x + scale * along(right);
-    const Lanes row = principal.y - scale * along(up);
-    const Lanes reach = larger(scale * radius, all(least_ball));
-    const Lanes place = (four[3] - low) * steps;
-    // Behind the eye is nothing, nor is a ball in which the eye is; and what is not a number is left out.
-    const Whole seen = (depth > radius) & (column > -reach) & (column < end.x + reach) & (row > -reach) &
-                       (row < end.y + reach) & (place == place);
-    const Whole color = truncated(larger(smaller(place, all(255)), all(0)) + 0.5f);
-    Whole packed_color{};
-    for (int k = 0; k < 4; ++k) packed_color[k] = static_cast<std::int32_t>(colors[color[k]]);
-    visible_balls_.add({column, row, std::bit_cast<Lanes>(packed_color), depth}, seen);
-  });
-}
-
 void DiscPainter::arrange(std::span<const glm::vec4> particles, const Projection& projection, const DiscStyle& style,
                           std::vector<std::uint8_t>& stale) {
   are_balls_ = projection.perspective;
   opacity_ = style.opacity;
   discs_.clear();
   if (are_balls_) {
-    project_deep(particles, projection, style);
-    visible_balls_.count(bins_);
+    are_dots_ = false;
+    balls_.show(particles, projection, {style.radius, style.range}, style.colors);
+    balls_.count(bins_);
   } else {
     project_flat(particles, projection, style);
     if (are_dots_)
@@ -132,14 +101,15 @@ void DiscPainter::arrange(std::span<const glm::vec4> particles, const Projection
   const std::size_t entries = bins_.close(stale);
   ranges_.write(bins_.ranges());
   list_squares();
-  void* to = entries_.map(entries * sizeof(ScreenBall));
+  static_assert(sizeof(Entry) == sizeof(Texel));
+  void* to = entries_.map(entries * sizeof(Entry));
   if (are_balls_)
-    visible_balls_.scatter(bins_, static_cast<ScreenBall*>(to));
+    balls_.take(bins_, opacity_, static_cast<Texel*>(to));
   else if (are_dots_)
-    dots_.take(bins_, opacity_, static_cast<Dots::Texel*>(to));
+    dots_.take(bins_, opacity_, static_cast<Texel*>(to));
   else
-    bins_.scatter(std::span<const Disc>(discs_), static_cast<ScreenBall*>(to), [](const Disc& disc) {
-      return ScreenBall{disc.x, disc.y, disc.color, 0};
+    bins_.scatter(std::span<const Disc>(discs_), static_cast<Entry*>(to), [](const Disc& disc) {
+      return Entry{disc.x, disc.y, disc.color, 0};
     });
   entries_.unmap();
 }
@@ -159,8 +129,7 @@ const GlProgram& DiscPainter::program(bool movie, bool overlay) {
   std::string defines;
   if (movie) defines += "#define YUV\n";
   if (overlay) defines += "#define OVERLAY\n";
-  if (are_balls_) defines += "#define BALLS\n";
-  if (are_dots_) defines += "#define DOTS\n";
+  if (are_balls_ || are_dots_) defines += "#define PIXELS\n";
   const auto found = programs_.find(defines);
   if (found != programs_.end()) return found->second;
   const int columns = movie ? 5 : 4;  // as in gather.frag
@@ -180,7 +149,6 @@ void DiscPainter::prepare(GLuint framebuffer, const DiscOutput& output, const Ba
   set(id, "radius", radius_);
   // The smooth step's spread about its middle, (4/3)^2 / 20, adds as much to the area as this takes away.
   set(id, "edge", std::sqrt(std::max(radius_ * radius_ - 4.0 / 45, 0.0)));
-  set(id, "focal", focal_);
   set(id, "opacity", opacity_);
   set(id, "straight", output.straight ? 1 : 0);
   glProgramUniform3f(id, glGetUniformLocation(id, "background"), output.background.r, output.background.g,

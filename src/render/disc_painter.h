@@ -1,8 +1,8 @@
 // Draws particles of one size as discs (2D) or lit balls (perspective), over a background, into a colour or a movie target.
-// The processor projects them and lists for each part of the picture those that touch it; the device shades. Discs smaller
-// than a pixel are all the processor's.
+// The processor projects discs and lists for each part of the picture those that touch it; the device shades. Of dots, discs
+// smaller than a pixel, and of balls the processor makes pixels, and the device puts them over the background.
 //
-// Of the ways measured on the software renderer (points, quads, gathering by pixels or by blocks of pixels) this, by
+// Of the ways measured for discs on the software renderer (points, quads, gathering by pixels or by blocks of pixels) this, by
 // blocks, is the fastest from a few thousand particles on; a graphics card draws it as well as any.
 #pragma once
 
@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "render/balls.h"
 #include "render/bins.h"
 #include "render/block_target.h"
 #include "render/colormap.h"
@@ -20,7 +21,6 @@
 #include "render/gl_objects.h"
 #include "render/projection.h"
 #include "render/stream_buffer.h"
-#include "render/visible_balls.h"
 
 namespace weir {
 
@@ -59,7 +59,6 @@ class DiscPainter {
     std::uint32_t color = 0;  // place in the map above 24 bits of blue, green and red
   };
   void project_flat(std::span<const glm::vec4> particles, const Projection& projection, const DiscStyle& style);
-  void project_deep(std::span<const glm::vec4> particles, const Projection& projection, const DiscStyle& style);
   void list_squares();
   const GlProgram& program(bool movie, bool overlay);
   void prepare(GLuint framebuffer, const DiscOutput& output, const Backdrop& background, bool overlay);
@@ -68,14 +67,13 @@ class DiscPainter {
   int height_;
   Bins bins_;
   std::vector<Disc> discs_;
-  VisibleBalls visible_balls_;
-  double radius_ = 1;  // pixels; of balls, metres
-  double focal_ = 1;   // of balls
+  double radius_ = 1;  // pixels
   double opacity_ = 1;
   bool are_balls_ = false;
   bool are_dots_ = false;
   Dots dots_;
-  StreamBuffer entries_;                // ScreenBall, also for discs, or Dots::Texel
+  Balls balls_;
+  StreamBuffer entries_;                // Entry, or Texel of dots and balls
   StreamBuffer ranges_;                 // Bins::Range
   std::vector<std::uint32_t> squares_;  // as in gather.vert: what the bins leave to do
   StreamBuffer square_texels_;

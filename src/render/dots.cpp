@@ -5,7 +5,7 @@
 #include <cmath>
 #include <new>
 
-#include "render/lanes.h"
+#include "render/four.h"
 
 namespace weir {
 
@@ -13,20 +13,18 @@ namespace {
 
 constexpr float full = 1024;  // of a pixel's area
 
-constexpr std::uint32_t square_texels = square_width * square_height / block_width;
-
 // Of dots, the parts that fall on two columns (or rows) of pixels, if their centres lie so far beyond the middle of the
 // first; or on three, so far beyond the middle of the second. They have the sum 1 and their centre there. A dot of less
 // than a pixel takes two, a larger one is spread (0 .. 1) so far that no pixel has more than its own area of it.
 template <int Side>
-std::array<Lanes, Side> parts(Lanes beyond, float spread) {
+std::array<Four, Side> parts(Four beyond, float spread) {
   if constexpr (Side == 2) {
     return {1 - beyond, beyond};
   } else {
-    const Lanes behind = larger(beyond, all(0));
-    const Lanes before = behind - beyond;
-    const Lanes first = (1 - spread) * before + spread * (0.25f - 0.5f * beyond);
-    const Lanes last = (1 - spread) * behind + spread * (0.25f + 0.5f * beyond);
+    const Four behind = larger(beyond, all(0));
+    const Four before = behind - beyond;
+    const Four first = (1 - spread) * before + spread * (0.25f - 0.5f * beyond);
+    const Four last = (1 - spread) * behind + spread * (0.25f + 0.5f * beyond);
     return {first, 1 - first - last, last};
   }
 }
@@ -60,15 +58,15 @@ void Dots::add(std::span<const glm::vec4> particles, const glm::vec4& scale, con
 template <int Side>
 void Dots::add_to_pixels(std::span<const glm::vec4> particles, const glm::vec4& scale, const glm::vec4& offset,
                          double radius, const Colormap& colors) {
-  std::array<Lanes, 256> lanes_of;
+  std::array<Four, 256> lanes_of;
   for (std::size_t k = 0; k < colors.size(); ++k)
-    lanes_of[k] = Lanes{static_cast<float>(colors[k] >> 16), static_cast<float>(colors[k] >> 8 & 0xff),
-                        static_cast<float>(colors[k] & 0xff), 1};
+    lanes_of[k] = Four{static_cast<float>(colors[k] >> 16), static_cast<float>(colors[k] >> 8 & 0xff),
+                       static_cast<float>(colors[k] & 0xff), 1};
   const auto area = static_cast<float>(full * std::numbers::pi * radius * radius);
   const auto spread = static_cast<float>(spread_of(radius));
   constexpr float reach = Side == 2 ? 0.5f : 1.0f;
-  const Lanes right_end = all(static_cast<float>(width_) + reach);
-  const Lanes lower_end = all(static_cast<float>(height_) + reach);
+  const Four right_end = all(static_cast<float>(width_) + reach);
+  const Four lower_end = all(static_cast<float>(height_) + reach);
   // The first of the pixels whose middle is less than Side / 2 away, counted from the corner of the margin.
   constexpr float half = 0.5f * (Side - 1);
   constexpr float middle = Side == 2 ? 0.0f : 0.5f;
@@ -77,30 +75,30 @@ void Dots::add_to_pixels(std::span<const glm::vec4> particles, const glm::vec4& 
   Sum* const sums = sums_.get();
   std::uint8_t* const filled = filled_.data();
 
-  visit_by_four(particles, [&](const std::array<Lanes, 4>& four) {
-    const Lanes x = four[0] * scale.x + offset.x;
-    const Lanes y = four[1] * scale.y + offset.y;
-    const Lanes place = four[3] * scale.w + offset.w;
-    const Whole seen = (x > -reach) & (x < right_end) & (y > -reach) & (y < lower_end) & (place == place);
-    const Lanes from_left = x + (square_width - half);
-    const Lanes from_top = y + (square_height - half);
-    const Whole column = truncated(from_left);
-    const Whole row = truncated(from_top);
-    const Whole color = truncated(larger(smaller(place, all(255)), all(0)) + 0.5f);
-    const std::array<Lanes, Side> across = parts<Side>(from_left - floats(column) - middle, spread);
-    const std::array<Lanes, Side> down = parts<Side>(from_top - floats(row) - middle, spread);
-    std::array<std::array<Lanes, Side>, Side> shares;
+  visit_by_four(particles, [&](const std::array<Four, 4>& four) {
+    const Four x = four[0] * scale.x + offset.x;
+    const Four y = four[1] * scale.y + offset.y;
+    const Four place = four[3] * scale.w + offset.w;
+    const FourWhole seen = (x > -reach) & (x < right_end) & (y > -reach) & (y < lower_end) & (place == place);
+    const Four from_left = x + (square_width - half);
+    const Four from_top = y + (square_height - half);
+    const FourWhole column = truncated(from_left);
+    const FourWhole row = truncated(from_top);
+    const FourWhole color = truncated(larger(smaller(place, all(255)), all(0)) + 0.5f);
+    const std::array<Four, Side> across = parts<Side>(from_left - floats(column) - middle, spread);
+    const std::array<Four, Side> down = parts<Side>(from_top - floats(row) - middle, spread);
+    std::array<std::array<Four, Side>, Side> shares;
     for (int r = 0; r < Side; ++r)
       for (int c = 0; c < Side; ++c) shares[r][c] = floats(truncated(area * down[r] * across[c] + 0.5f));
     // One to the right as well: the chroma of a block takes from the pixel to its left.
-    const Whole left = column / square_width;
-    const Whole right = (column + Side) / square_width;
-    const Whole top = row / square_height;
-    const Whole bottom = (row + (Side - 1)) / square_height;
+    const FourWhole left = column / square_width;
+    const FourWhole right = (column + Side) / square_width;
+    const FourWhole top = row / square_height;
+    const FourWhole bottom = (row + (Side - 1)) / square_height;
 
     for (std::size_t k = 0; k < 4; ++k) {
       if (seen[k] == 0) continue;
-      const Lanes lanes = lanes_of[color[k]];
+      const Four lanes = lanes_of[color[k]];
       Sum* sum = sums + row[k] * stride + column[k];
       for (int r = 0; r < Side; ++r, sum += stride)
         for (int c = 0; c < Side; ++c) sum[c] += reinterpret_cast<Sum>(truncated(shares[r][c][k] * lanes));
@@ -120,13 +118,13 @@ void Dots::count(Bins& bins) const {
 }
 
 // Four pixels at once.
-Dots::Texel Dots::resolved(const Sum* sums, float opacity) {
-  std::array<Lanes, 4> four;
-  for (std::size_t k = 0; k < 4; ++k) four[k] = floats(reinterpret_cast<Whole>(sums[k]));
+Texel Dots::resolved(const Sum* sums, float opacity) {
+  std::array<Four, 4> four;
+  for (std::size_t k = 0; k < 4; ++k) four[k] = floats(reinterpret_cast<FourWhole>(sums[k]));
   const auto [red, green, blue, share] = transposed(four);
-  const Lanes part = 1 / larger(share, all(1));
-  const Lanes alpha = smaller(share, all(full)) * (opacity * 255 / full);
-  const auto byte = [](Lanes value) { return truncated(value + 0.5f); };
+  const Four part = 1 / larger(share, all(1));
+  const Four alpha = smaller(share, all(full)) * (opacity * 255 / full);
+  const auto byte = [](Four value) { return truncated(value + 0.5f); };
   return std::bit_cast<Texel>(byte(red * part) | byte(green * part) << 8 | byte(blue * part) << 16 | byte(alpha) << 24);
 }
 

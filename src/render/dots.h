@@ -17,6 +17,7 @@
 
 #include "render/bins.h"
 #include "render/colormap.h"
+#include "render/texel.h"
 
 namespace weir {
 
@@ -25,9 +26,6 @@ inline constexpr double largest_dot = std::numbers::inv_sqrtpi * 2;
 
 class Dots {
  public:
-  // What the device reads: four pixels of a row, 0xAABBGGRR, the colour not multiplied with alpha.
-  using Texel = std::array<std::uint32_t, 4>;
-
   Dots(int width, int height);  // pixels
 
   // Adds dots of this radius, pixels: a particle times `scale` plus `offset` is the dot's place in the picture, pixels,
@@ -37,8 +35,7 @@ class Dots {
 
   // Sets the bins to squares and says which hold anything, and how many texels of each there will be.
   void count(Bins& bins) const;
-  // Writes what the squares hold to where the bins have it, block by block: four texels of the upper row, then of the
-  // lower. Nothing is left then.
+  // Writes what the squares hold to where the bins have it. Nothing is left then.
   void take(const Bins& bins, double opacity, Texel* texels);
 
  private:

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
 
+#include "core/stopwatch.h"
 #include "core/team.h"
+#include "report/median.h"
 #include "report/seed_a.h"
 #include "sph/wcsph.h"
 
@@ -17,18 +17,17 @@ template <class Work>
 double seconds_of(const Work& work) {
   std::vector<double> rounds;
   for (int round = 0; round < 5; ++round) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     double taken = 0;
     int turns = 0;
     do {
       work();
       ++turns;
-      taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      taken = watch.seconds();
     } while (taken < 0.02);
     rounds.push_back(taken / turns);
   }
-  std::sort(rounds.begin(), rounds.end());
-  return rounds[rounds.size() / 2];
+  return median(rounds);
 }
 
 // The tower with about so many particles, whole spacings wide.

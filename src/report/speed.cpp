@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 
+#include "core/stopwatch.h"
 #include "core/team.h"
+#include "core/trace.h"
+#include "report/median.h"
 #include "report/scenes.h"
 #include "report/write_text.h"
 
@@ -15,21 +17,12 @@ namespace weir {
 
 namespace {
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 std::vector<int> thread_counts(int requested) {
   const int most = thread_count(requested);
   std::vector<int> counts;
   for (int n = 1; n < most; n *= 2) counts.push_back(n);
   counts.push_back(most);
   return counts;
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
 }
 
 // Enough time for the front to run 2 heights: T = 2 sqrt(g / H) t [Martin and Moyce 1952, n^2 = 1].
@@ -86,12 +79,12 @@ SpeedSample measure_start(const Scene& scene, int threads, double seconds) {
   do {
     const std::unique_ptr<Simulation> flow = flow_at(scene, threads, 0);
     const StageTimes before = flow->stage_times();
-    const auto start = std::chrono::steady_clock::now();
-    for (int k = 0; k < steps && (k < least_steps || seconds_since(start) < seconds); ++k) {
+    const Stopwatch watch;
+    for (int k = 0; k < steps && (k < least_steps || watch.seconds() < seconds); ++k) {
       flow->step();
       ++sample.steps;
     }
-    taken += seconds_since(start);
+    taken += watch.seconds();
     neighbours += flow->stage_times().neighbours - before.neighbours;
     sample.particles = flow->fluid_particles();
   } while (taken < seconds);
@@ -102,15 +95,15 @@ SpeedSample measure_start(const Scene& scene, int threads, double seconds) {
 
 SpeedSample measure_speed(Simulation& simulation, double seconds, bool log) {
   const double neighbours = simulation.stage_times().neighbours;
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   SpeedSample sample;
   sample.particles = simulation.fluid_particles();
   do {
     simulation.step();
     if (log) simulation.diagnostics();
     ++sample.steps;
-  } while ((sample.steps < least_steps || seconds_since(start) < seconds) && !simulation.finished());
-  const double taken = seconds_since(start);
+  } while ((sample.steps < least_steps || watch.seconds() < seconds) && !simulation.finished());
+  const double taken = watch.seconds();
   sample.mps = 1e-6 * static_cast<double>(sample.particles) * static_cast<double>(sample.steps) / taken;
   sample.neighbours = (simulation.stage_times().neighbours - neighbours) / taken;
   return sample;
@@ -118,15 +111,15 @@ SpeedSample measure_speed(Simulation& simulation, double seconds, bool log) {
 
 LinePlot speed_figure(const SpeedOptions& speed, const ReportOptions& options) {
   LinePlot plot;
-  plot.title = "WCSPH, from the start of a dam break";
+  plot.title = "Dam break, from its start";
   plot.x = {"fluid particles", "particles", true};
   plot.y = {"million particle-steps per second", "speed[Mps/s]", true};
-  plot.legend = "dimension, threads";
+  plot.legend = "method, dimension, threads";
   plot.series_column = "case";
   const std::vector<int> counts = thread_counts(options.threads);
   for (const int dimension : {2, 3}) {
     const std::size_t first = plot.series.size();
-    for (const int threads : counts) plot.series.push_back({fmt::format("{}D, {}", dimension, threads), {}, {}});
+    for (const int threads : counts) plot.series.push_back({fmt::format("WCSPH {}D, {}", dimension, threads), {}, {}});
     for (const std::int64_t n : speed.particles) {
       for (std::size_t k = 0; k < counts.size(); ++k) {
         const SpeedSample sample = measure_start(speed_scene(dimension, n), counts[k], speed.seconds);
@@ -141,8 +134,16 @@ LinePlot speed_figure(const SpeedOptions& speed, const ReportOptions& options) {
   return plot;
 }
 
+// The part of its steps that one thread does alone while the others wait, 1.
+double serial_share(Simulation& simulation, double seconds) {
+  const Recording recording;
+  const Stopwatch watch;
+  for (int step = 0; step < least_steps || watch.seconds() < seconds; ++step) simulation.step();
+  return 1 - Trace::total(Team::loop_span) / watch.seconds();
+}
+
 std::string developed_flow_csv(const SpeedOptions& speed, const ReportOptions& options) {
-  std::string csv = "dimension,particles,threads,time[s],speed[Mps/s],neighbours_share[1]\n";
+  std::string csv = "method,dimension,particles,threads,time[s],speed[Mps/s],neighbours_share[1],serial_share[1]\n";
   const std::vector<int> counts = thread_counts(options.threads);
   for (const int dimension : {2, 3}) {
     const std::unique_ptr<Simulation> flow =
@@ -160,8 +161,10 @@ std::string developed_flow_csv(const SpeedOptions& speed, const ReportOptions& o
     for (std::size_t k = 0; k < counts.size(); ++k) {
       options.message(fmt::format("{}D, developed flow, {} threads: {:.2f} M particle-steps/s", dimension, counts[k],
                                   median(mps[k])));
-      csv += fmt::format("{},{},{},{},{:.3f},{:.3f}\n", dimension, flow->fluid_particles(), counts[k], developed,
-                         median(mps[k]), median(neighbours[k]));
+      flow->use_threads(counts[k]);
+      csv +=
+          fmt::format("{},{},{},{},{},{:.3f},{:.3f},{:.4f}\n", "WCSPH", dimension, flow->fluid_particles(), counts[k],
+                      developed, median(mps[k]), median(neighbours[k]), serial_share(*flow, 0.5 * speed.seconds));
     }
   }
   return csv;
@@ -224,9 +227,9 @@ std::string real_time_csv(const SpeedOptions& speed, const ReportOptions& option
       scene.solver.compressibility = Stiffness{k};
       scene.timeline.clear();
       const std::unique_ptr<Simulation> simulation = make_simulation(scene, options.threads);
-      const auto start = std::chrono::steady_clock::now();
+      const Stopwatch watch;
       while (!simulation->finished()) simulation->step();
-      const double wall = seconds_since(start);
+      const double wall = watch.seconds();
       csv += fmt::format("{},{},{:g},{:g},{:.4g},{:.4g}\n", scene.name, simulation->fluid_particles(), k,
                          simulation->simulated_time(), wall, simulation->simulated_time() / wall);
       options.message(fmt::format("{} with k = {:g} Pa: {:.2f} s simulated per second", scene.name, k,

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/stopwatch.h"
 #include "core/trace.h"
-#include "run/stopwatch.h"
 
 namespace weir {
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/sha256.h"
+#include "core/stopwatch.h"
 #include "core/team.h"
 #include "core/trace.h"
 #include "output/file.h"
@@ -14,7 +15,6 @@
 #include "run/log_schedule.h"
 #include "run/pictures.h"
 #include "run/run_folder.h"
-#include "run/stopwatch.h"
 #include "scene/advice.h"
 #include "scene/check.h"
 

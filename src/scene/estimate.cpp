@@ -35,7 +35,8 @@ Estimate estimate(const Scene& scene) {
   Estimate result;
   result.fluid_particles = count.fluid;
   result.wall_particles = count.wall;
-  result.memory = bytes_per_particle(scene) * static_cast<double>(result.fluid_particles + result.wall_particles);
+  result.memory = bytes_per_particle(scene) * static_cast<double>(result.fluid_particles) +
+                  bytes_per_wall_particle(scene) * static_cast<double>(result.wall_particles);
   result.dt = time_step(scene);
   // Every frame time is landed on, so that each frame takes a whole number of steps.
   const double frame = 1.0 / scene.render.fps;

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "equations/kernels.h"
 #include "scene/geometry.h"
 
 namespace weir {
@@ -42,26 +43,30 @@ double content(const Round& round, int dimension, double thick) {
 
 }  // namespace
 
-// A sum over the arrays that grow with the fluid, for d dimensions:
-//   4 x 5 d    x, rest, velocity, acceleration, start
-//   4 x 2 d    x and rest once more, for the sort
-//   4 x 5      density, pressure, id, id once more, order
-//   2 d + d    boxes of clusters (2 d floats for 4 particles), centres of groups (2 x d doubles for 16)
-//   2 x 24     the sampling, which a reset goes back to
-//   8          while the state is hashed
-// and lists, which hold a number of 4 bytes for some four pairs: 0.8 bytes for each particle within the support and the
-// skin of 0.4 spacings in 2D, 1.05 in 3D, as measured; 1.2 is taken. A 2D run of 10,017,225 fluid particles was measured
-// at 146 bytes for each; the sum is 160. Wall particles need less.
+// Places of d dimensions, once more for the sort, and what goes with them:
+//   4 x 4 d + 4 x 3   x and rest, twice; id, twice; order
+//   2 d + d           boxes of clusters (2 d floats for 4 particles), centres of groups (2 x d doubles for 16)
+double bytes_per_wall_particle(const Scene& scene) {
+  const int d = scene.dimension;
+  return 4 * (4 * d + 3) + 3 * d;
+}
+
+// Beside its place
+//   4 x 2 d + 4 x 2   velocity, acceleration; density, pressure
+//   8                 while the state is hashed
+// and two kinds of lists, with and without the skin, whose numbers of 4 bytes stand for some four pairs (more in 3D); they
+// grow by halves. Measured with 10 million fluid particles: 110 bytes for each in 2D and, walls apart, 168 in 3D.
 double bytes_per_particle(const Scene& scene) {
   const int d = scene.dimension;
-  const double state = 4 * (5 * d + 2 * d + 5) + 3 * d + 2 * 24 + 8;
-  const double reach = 2 * scene.solver.kernel.smoothing + 0.4;  // in spacings
+  const double state = bytes_per_wall_particle(scene) + 4 * (2 * d + 2) + 8;
+  const double skin = d == 2 ? 0.6 : 0.4;  // in spacings, as the solver has it
+  const double reach = support_per_h * scene.solver.kernel.smoothing + skin;
   const double listed =
       std::numbers::pi * (d == 2 ? reach * reach : 4.0 / 3.0 * reach * reach * reach);  // particles, itself among them
-  constexpr double list = 1.2;
+  const double lists = (d == 2 ? 1.2 : 0.9) * listed;
   // Pictures: 16 bytes in each of three frames and in the copy that is drawn from.
   const double pictures = draws(scene) ? 4 * 16 : 0;
-  return state + list * listed + pictures;
+  return state + lists + pictures;
 }
 
 double expected_particles(const Scene& scene, const Volume& volume) {

@@ -8,6 +8,7 @@ namespace weir {
 // Bytes for each particle while a run lasts, a little more than it will be: what the solver keeps of it, its lists of
 // pairs, and its part of the frames on their way to the pictures.
 double bytes_per_particle(const Scene& scene);
+double bytes_per_wall_particle(const Scene& scene);
 
 // From areas and volumes alone; infinite or not a number for absurd sizes.
 double expected_particles(const Scene& scene, const Volume& volume);

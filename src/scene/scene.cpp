@@ -6,6 +6,7 @@
 
 #include "equations/density.h"
 #include "equations/energy.h"
+#include "equations/kernels.h"
 #include "equations/state.h"
 #include "scene/geometry.h"
 
@@ -66,7 +67,7 @@ double initial_speed(const Scene& scene) {
 
 double smoothing_length(const Scene& scene) { return scene.solver.kernel.smoothing * scene.particle_spacing; }
 
-double support_radius(const Scene& scene) { return 2 * smoothing_length(scene); }
+double support_radius(const Scene& scene) { return support_per_h * smoothing_length(scene); }
 
 double particle_mass(const Scene& scene) {
   return lattice_mass(scene.fluid.rest_density, scene.particle_spacing, scene.dimension);
@@ -75,7 +76,7 @@ double particle_mass(const Scene& scene) {
 int wall_layers(const Scene& scene, const Wall& wall) {
   if (wall.layers > 0) return wall.layers;
   // The last digits of h / dx must not add a layer.
-  return std::max(1, static_cast<int>(std::ceil(2 * scene.solver.kernel.smoothing - 1e-9)));
+  return std::max(1, static_cast<int>(std::ceil(support_per_h * scene.solver.kernel.smoothing - 1e-9)));
 }
 
 std::int64_t last_frame(const Scene& scene) {

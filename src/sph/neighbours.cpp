@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "core/parallel.h"
+#include "core/trace.h"
 
 namespace weir {
 
@@ -84,6 +85,7 @@ void Neighbours<Dim>::update(FluidParticles<Dim>& fluid, const WallParticles<Dim
 
 template <int Dim>
 void Neighbours<Dim>::sort(FluidParticles<Dim>& fluid) {
+  const Span span("sort");
   fluid_tiling_.sort(fluid, team_);
   fluid.follow(fluid_tiling_, team_);
   fluid_beside_ = fluid_tiling_.adjacent(fluid_tiling_, team_);
@@ -161,6 +163,7 @@ void Neighbours<Dim>::bound_clusters_around(const std::vector<std::int32_t>& til
 template <int Dim>
 void Neighbours<Dim>::list(const std::vector<std::int32_t>& tiles, const FluidParticles<Dim>& fluid,
                            const WallParticles<Dim>& walls) {
+  const Span span("lists");
   ListInput<Dim> input;
   input.fluid = view_of(fluid_tiling_, fluid, fluid_beside_, moved_.data());
   input.walls = view_of<Dim>(wall_tiling_, walls, walls_beside_, nullptr);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -11,6 +10,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/sha256.h"
+#include "core/stopwatch.h"
 #include "core/trace.h"
 #include "equations/density.h"
 #include "equations/energy.h"
@@ -24,16 +24,17 @@ namespace weir {
 
 namespace {
 
-class Stopwatch {
+// Adds the time to the end of the block.
+class Timed {
  public:
-  explicit Stopwatch(double& total) : total_(total), start_(std::chrono::steady_clock::now()) {}
-  ~Stopwatch() { total_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
+  explicit Timed(double& total) : total_(total) {}
+  ~Timed() { total_ += watch_.seconds(); }
+  Timed(const Timed&) = delete;
+  Timed& operator=(const Timed&) = delete;
 
  private:
   double& total_;
-  std::chrono::steady_clock::time_point start_;
+  Stopwatch watch_;
 };
 
 struct StepChoice {
@@ -76,7 +77,7 @@ class SimulationIn final : public Simulation {
       clock_.advance_to_landing();
     } else {
       bring_up_to_date();
-      Stopwatch watch(times_.solve);
+      const Timed timed(times_.solve);
       {
         const Span span("accelerations");
         solver_.compute_accelerations();
@@ -243,14 +244,14 @@ class SimulationIn final : public Simulation {
   void bring_up_to_date() {
     if (up_to_date_) return;
     try {
-      Stopwatch watch(times_.neighbours);
+      const Timed timed(times_.neighbours);
       const Span span("neighbours");
       solver_.find_neighbours();
     } catch (const std::range_error& error) {
       throw SimulationError(
           fmt::format("the simulation diverged in step {} at t = {:.6g} s: {}", steps_, clock_.time(), error.what()));
     }
-    Stopwatch watch(times_.solve);
+    const Timed timed(times_.solve);
     const Span span("density and pressure");
     solver_.compute_density_and_pressure();
     up_to_date_ = true;

@@ -44,9 +44,9 @@ class Simulation {
   virtual std::int64_t fluid_particles() const = 0;
   virtual std::int64_t wall_particles() const = 0;
 
+  virtual StillLife still_life() const = 0;
   // These two work out densities where the last step has left them behind; the state they never change.
   virtual void fill(Frame& frame) = 0;
-  virtual StillLife still_life() const = 0;
   virtual Diagnostics diagnostics() = 0;
   virtual std::string state_hash()
       const = 0;  // SHA-256 of position and velocity bits of all fluid particles in id order

@@ -26,7 +26,7 @@ std::vector<std::uint32_t> pixels_of(Dots& dots) {
   Bins bins(width, height);
   dots.count(bins);
   std::vector<std::uint8_t> stale;
-  std::vector<Dots::Texel> texels(bins.close(stale));
+  std::vector<Texel> texels(bins.close(stale));
   dots.take(bins, 1, texels.data());
   std::vector<std::uint32_t> pixels(width * height);
   for (int y = 0; y < height; ++y)

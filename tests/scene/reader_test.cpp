@@ -132,7 +132,7 @@ output: {movie: {quality: 10}, frames: true, stills: [0, 0.5], log: {every: 0.1}
   EXPECT_EQ(std::get<View2D>(scene.camera.view).width, 4);
   EXPECT_EQ(scene.render.color.range, (std::array<double, 2>{0, 5}));
   EXPECT_EQ(scene.output.movie->quality, 10);
-  EXPECT_EQ(scene.output.movie->preset, "superfast");
+  EXPECT_EQ(scene.output.movie->preset, "ultrafast");
   EXPECT_THAT(scene.output.stills, ElementsAre(0, 0.5));
 }
 

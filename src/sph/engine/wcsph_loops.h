@@ -146,7 +146,8 @@ StepExtremes<Dim> integrate(const IntegrateArguments<Dim>& in, std::int32_t tile
   const Lanes limit = in.reach * in.reach;
   bool escaped = false;
   for (std::int32_t i = slots.begin; i < slots.end; i += lanes) {
-    // Empty slots stay where they are: all that they read is zero or nowhere.
+    // Empty slots stay where they are: all that they read is zero or nowhere. (In a tile's first register they count as
+    // particles at rest, which makes lists of a few particles anew a little early.)
     const Mask particle = not_negative(in.id + i);
     Lanes speed_squared;
     for (int d = 0; d < Dim; ++d) {

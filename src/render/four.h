@@ -12,21 +12,21 @@
 
 namespace weir {
 
-using Lanes = float __attribute__((vector_size(16)));
-using Whole = std::int32_t __attribute__((vector_size(16)));
+using Four = float __attribute__((vector_size(16)));
+using FourWhole = std::int32_t __attribute__((vector_size(16)));
 
-inline Lanes smaller(Lanes a, Lanes b) { return a < b ? a : b; }
-inline Lanes larger(Lanes a, Lanes b) { return a > b ? a : b; }
-inline Lanes all(float value) { return Lanes{} + value; }
-inline Whole truncated(Lanes value) { return __builtin_convertvector(value, Whole); }
-inline Lanes floats(Whole value) { return __builtin_convertvector(value, Lanes); }
+inline Four smaller(Four a, Four b) { return a < b ? a : b; }
+inline Four larger(Four a, Four b) { return a > b ? a : b; }
+inline Four all(float value) { return Four{} + value; }
+inline FourWhole truncated(Four value) { return __builtin_convertvector(value, FourWhole); }
+inline Four floats(FourWhole value) { return __builtin_convertvector(value, Four); }
 
 // Columns become rows.
-inline std::array<Lanes, 4> transposed(const std::array<Lanes, 4>& of) {
-  const Lanes low_a = __builtin_shufflevector(of[0], of[1], 0, 4, 1, 5);
-  const Lanes low_b = __builtin_shufflevector(of[2], of[3], 0, 4, 1, 5);
-  const Lanes high_a = __builtin_shufflevector(of[0], of[1], 2, 6, 3, 7);
-  const Lanes high_b = __builtin_shufflevector(of[2], of[3], 2, 6, 3, 7);
+inline std::array<Four, 4> transposed(const std::array<Four, 4>& of) {
+  const Four low_a = __builtin_shufflevector(of[0], of[1], 0, 4, 1, 5);
+  const Four low_b = __builtin_shufflevector(of[2], of[3], 0, 4, 1, 5);
+  const Four high_a = __builtin_shufflevector(of[0], of[1], 2, 6, 3, 7);
+  const Four high_b = __builtin_shufflevector(of[2], of[3], 2, 6, 3, 7);
   return {__builtin_shufflevector(low_a, low_b, 0, 1, 4, 5), __builtin_shufflevector(low_a, low_b, 2, 3, 6, 7),
           __builtin_shufflevector(high_a, high_b, 0, 1, 4, 5), __builtin_shufflevector(high_a, high_b, 2, 3, 6, 7)};
 }
@@ -36,7 +36,7 @@ inline std::array<Lanes, 4> transposed(const std::array<Lanes, 4>& of) {
 template <class Visit>
 void visit_by_four(std::span<const glm::vec4> vectors, const Visit& visit) {
   const auto load = [](const glm::vec4& from) {
-    Lanes lanes;
+    Four lanes;
     std::memcpy(&lanes, &from, sizeof(lanes));
     return lanes;
   };

@@ -1,0 +1,54 @@
+// Lit balls as texels of a picture, by several threads: each has strips of the picture to itself. As pixels depend neither on
+// the order of the balls nor on what other pixels show, they do not depend on the threads.
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/team.h"
+#include "render/ball_groups.h"
+#include "render/ball_pixels.h"
+#include "render/bins.h"
+#include "render/colormap.h"
+#include "render/projection.h"
+#include "render/texel.h"
+#include "render/visible_balls.h"
+
+namespace weir {
+
+struct BallStyle {
+  double radius = 0;                  // m
+  std::array<double, 2> range{0, 1};  // of the particles' quantity, for the colour map
+};
+
+class Balls {
+ public:
+  Balls(int width, int height, int threads);  // pixels
+
+  // What is shown from now on. What is not a number, or around or behind the eye, is left out.
+  void show(std::span<const glm::vec4> particles, const Projection& projection, const BallStyle& style,
+            const Colormap& colors);
+
+  // Sets the bins to squares and says which hold anything, and how many texels of each there will be.
+  void count(Bins& bins) const;
+  // Writes what the squares hold to where the bins have it.
+  void take(const Bins& bins, double opacity, Texel* texels);
+
+ private:
+  struct Strip {
+    BallPixels pixels;
+    VisibleBalls balls;
+  };
+
+  int width_;
+  int height_;
+  int threads_;
+  std::unique_ptr<Team> team_;  // made with the first balls
+  std::vector<BallGroup> groups_;
+  std::vector<Strip> strips_;
+};
+
+}  // namespace weir

@@ -1,0 +1,16 @@
+// Of measurements: the one in the middle.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+namespace weir {
+
+// The upper of two in the middle. `values` must not be empty.
+inline double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace weir
