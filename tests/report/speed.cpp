@@ -73,19 +73,23 @@ void expect_share(const std::string& cell) {
 TEST(Speed, FigureHasACurvePerDimensionAndThreads) {
   const Table table(csv_of(speed_figure(smallest(), two_threads())));
   EXPECT_EQ(table.header, "case,particles,speed[Mps/s]");
-  EXPECT_THAT(table.beginnings(2), ElementsAre("2D, 1,100", "2D, 1,400", "2D, 2,100", "2D, 2,400", "3D, 1,108",
-                                               "3D, 1,500", "3D, 2,108", "3D, 2,500"));
+  EXPECT_THAT(table.beginnings(2),
+              ElementsAre("WCSPH 2D, 1,100", "WCSPH 2D, 1,400", "WCSPH 2D, 2,100", "WCSPH 2D, 2,400", "WCSPH 3D, 1,108",
+                          "WCSPH 3D, 1,500", "WCSPH 3D, 2,108", "WCSPH 3D, 2,500"));
   for (const auto& row : table.rows) expect_positive(row.at(2));
 }
 
 TEST(Speed, DevelopedFlowHasARowPerDimensionAndThreads) {
   const Table table(developed_flow_csv(smallest(), two_threads()));
-  EXPECT_EQ(table.header, "dimension,particles,threads,time[s],speed[Mps/s],neighbours_share[1]");
-  EXPECT_THAT(table.beginnings(4), ElementsAre("2,100,1,0.6", "2,100,2,0.6", "3,108,1,0.6", "3,108,2,0.6"));
+  EXPECT_EQ(table.header,
+            "method,dimension,particles,threads,time[s],speed[Mps/s],neighbours_share[1],serial_share[1]");
+  EXPECT_THAT(table.beginnings(5),
+              ElementsAre("WCSPH,2,100,1,0.6", "WCSPH,2,100,2,0.6", "WCSPH,3,108,1,0.6", "WCSPH,3,108,2,0.6"));
   for (const auto& row : table.rows) {
-    ASSERT_EQ(row.size(), 6U);
-    expect_positive(row[4]);
-    expect_share(row[5]);
+    ASSERT_EQ(row.size(), 8U);
+    expect_positive(row[5]);
+    expect_share(row[6]);
+    expect_share(row[7]);
   }
 }
 
