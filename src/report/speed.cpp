@@ -230,7 +230,7 @@ std::string real_time_csv(const SpeedOptions& speed, const ReportOptions& option
       const Stopwatch watch;
       while (!simulation->finished()) simulation->step();
       const double wall = watch.seconds();
-      csv += fmt::format("{},{},{:g},{:g},{:.3f},{:.3f}\n", scene.name, simulation->fluid_particles(), k,
+      csv += fmt::format("{},{},{:g},{:g},{:.4g},{:.4g}\n", scene.name, simulation->fluid_particles(), k,
                          simulation->simulated_time(), wall, simulation->simulated_time() / wall);
       options.message(fmt::format("{} with k = {:g} Pa: {:.2f} s simulated per second", scene.name, k,
                                   simulation->simulated_time() / wall));

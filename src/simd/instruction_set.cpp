@@ -3,6 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#if defined(__x86_64__)
+#include <cpuid.h>
+#endif
+
 #include <cstdlib>
 #include <vector>
 
@@ -12,18 +16,44 @@ namespace weir {
 
 namespace {
 
+#if defined(__x86_64__)
+// movbe, f16c and lzcnt, for which clang 14 has no name. [Intel 64 and IA-32 Architectures Software Developer's Manual,
+// vol. 2A, CPUID]
+bool has_what_builtins_cannot_name() {
+  constexpr unsigned movbe_and_f16c = 1U << 22 | 1U << 29;  // leaf 1, ECX
+  constexpr unsigned lzcnt = 1U << 5;                       // leaf 0x80000001, ECX
+  unsigned eax = 0;
+  unsigned ebx = 0;
+  unsigned ecx = 0;
+  unsigned edx = 0;
+  if (__get_cpuid(1, &eax, &ebx, &ecx, &edx) == 0 || (ecx & movbe_and_f16c) != movbe_and_f16c) return false;
+  return __get_cpuid(0x80000001, &eax, &ebx, &ecx, &edx) != 0 && (ecx & lzcnt) == lzcnt;
+}
+
+// All that compilers emit of their own for -march=haswell -maes -mpclmul, and that the operating system saves its registers.
+bool has_avx2() {
+  return __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt") && __builtin_cpu_supports("avx") &&
+         __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") &&
+         __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("aes") && __builtin_cpu_supports("pclmul") &&
+         has_what_builtins_cannot_name();
+}
+
+// The same for -march=skylake-avx512.
+bool has_avx512() {
+  return has_avx2() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") &&
+         __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+}
+#endif
+
 bool has(InstructionSet set) {
   switch (set) {
     case InstructionSet::baseline:
       return true;
 #if defined(__x86_64__)
     case InstructionSet::avx2:
-      return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2") &&
-             __builtin_cpu_supports("aes") && __builtin_cpu_supports("pclmul");
+      return has_avx2();
     case InstructionSet::avx512:
-      return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-             __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
-             __builtin_cpu_supports("avx512cd") && has(InstructionSet::avx2);
+      return has_avx512();
 #endif
     default:
       return false;
@@ -55,9 +85,9 @@ std::span<const InstructionSet> usable_instruction_sets() {
   return usable;
 }
 
-InstructionSet instruction_set_by_name(std::string_view name) {
+InstructionSet instruction_set_by_name(std::string_view name, std::span<const InstructionSet> usable) {
   std::vector<std::string_view> names;
-  for (const InstructionSet set : usable_instruction_sets()) {
+  for (const InstructionSet set : usable) {
     if (name_of(set) == name) return set;
     names.push_back(name_of(set));
   }

@@ -18,6 +18,7 @@ std::span<const InstructionSet> usable_instruction_sets();
 InstructionSet default_instruction_set();
 
 // Throws UsageError, naming those that are usable.
-InstructionSet instruction_set_by_name(std::string_view name);
+InstructionSet instruction_set_by_name(std::string_view name,
+                                       std::span<const InstructionSet> usable = usable_instruction_sets());
 
 }  // namespace weir

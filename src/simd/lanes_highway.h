@@ -131,7 +131,8 @@ WEIR_INLINE auto fold_rows_of(const Lanes* a) {
     return hn::Add(hn::ConcatLowerLower(all, a[1].v, a[0].v), hn::ConcatUpperUpper(all, a[1].v, a[0].v));
   } else {
     // Blocks of four lanes: a0 b1 a2 b3 and a1 b0 a3 b2.
-    const auto both = hn::Add(hn::OddEvenBlocks(a[1].v, a[0].v), hn::SwapAdjacentBlocks(hn::OddEvenBlocks(a[0].v, a[1].v)));
+    const auto both =
+        hn::Add(hn::OddEvenBlocks(a[1].v, a[0].v), hn::SwapAdjacentBlocks(hn::OddEvenBlocks(a[0].v, a[1].v)));
     if constexpr (count == 2) return add_halves(all, both);
     if constexpr (count == 3) {
       const auto third = hn::Add(a[2].v, hn::SwapAdjacentBlocks(a[2].v));

@@ -83,7 +83,8 @@ WEIR_FLATTEN void visit_fluid(const PairInput<Dim>& in, std::int32_t tile, const
     };
     // In the row's own cluster each pair stands twice, and each particle beside itself: those after the row remain.
     const Lanes last = row_numbers() + Lanes(static_cast<float>(i & (cluster - 1)));
-    visit_both(i - (i & (cluster - 1)), [&](Lanes r2) { return select(less(last, column), r2, Lanes(beyond_support)); });
+    visit_both(i - (i & (cluster - 1)),
+               [&](Lanes r2) { return select(less(last, column), r2, Lanes(beyond_support)); });
     narrowed.begin();
     for (std::int32_t n = *list++; n > 0; --n) {
       const std::int32_t j = *list++;
