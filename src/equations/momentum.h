@@ -31,12 +31,12 @@ struct Pressure {
   // -m_j (p_i/rho_i^2 + p_j/rho_j^2) grad W_ij, m/s^2. [Hinsch24 Alg. 1, fluid]
   template <int Dim, class R>
   Central<R> from_fluid(const Pair<Dim, R>& pair) const {
-    return {(pair.pressure_i + pair.pressure_j) * pair.f};
+    return {(pair.pressure_term_i + pair.pressure_term_j) * pair.f};
   }
   // The wall mirrors the particle's own pressure: -2 m_j p_i/rho_i^2 grad W_ij, m/s^2. [Hinsch24 Alg. 1, wall]
   template <int Dim, class R>
   Central<R> from_wall(const Pair<Dim, R>& pair) const {
-    return {R(2) * pair.pressure_i * pair.f};
+    return {R(2) * pair.pressure_term_i * pair.f};
   }
 };
 

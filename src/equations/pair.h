@@ -17,8 +17,8 @@ struct Pair {
                      // linear in it, so that loops may leave a constant factor to the end
   R rho_i;           // kg/m^Dim
   R rho_j;           // the rest density for a wall
-  R pressure_i;      // p_i / rho_i^2, m^5/(kg s^2) in 3D
-  R pressure_j;      // p_j / rho_j^2; unused with a mirroring wall
+  R pressure_term_i;  // p_i / rho_i^2, m^5/(kg s^2) in 3D
+  R pressure_term_j;  // p_j / rho_j^2; unused with a mirroring wall
 };
 
 // What a term says of a pair: the acceleration of i along x_ij, or along v_ij, whose factor this is. Factors are added

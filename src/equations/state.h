@@ -24,6 +24,12 @@ R pressure_over_density_squared(R p, R rho) {
   return p / (rho * rho);
 }
 
+// The pressure that this form stands for, Pa. [Hinsch24 Alg. 1, p]
+template <class R>
+R pressure_of_term(R p_over_rho_squared, R rho) {
+  return p_over_rho_squared * rho * rho;
+}
+
 // c0 = sqrt(dp/drho at rho0) = sqrt(exponent k / rho0), m/s. [Cole48, sound speed]
 inline double sound_speed_of_state(double k, int exponent, double rest_density) {
   return std::sqrt(exponent * k / rest_density);

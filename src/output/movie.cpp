@@ -78,7 +78,7 @@ class LibavSink final : public MovieSink {
   void finish() override {
     close_part();
     if (next_ == 0) return;
-    remux_faststart(part_path_, movie_, encoder_->framerate.num);
+    remux_faststart(part_path_, movie_, *encoder_);
     std::error_code ignored;  // a part file too many does no harm
     std::filesystem::remove(part_path_, ignored);
   }

@@ -89,7 +89,7 @@ struct CloseOutput {
   }
 };
 
-void copy_movie(const std::filesystem::path& from, const std::filesystem::path& to, int fps) {
+void copy_movie(const std::filesystem::path& from, const std::filesystem::path& to, const AVCodecContext& encoder) {
   const std::string reading = "read " + from.string();
   const std::string writing = "write " + to.string();
   const Input input = open_container(from);
@@ -100,10 +100,13 @@ void copy_movie(const std::filesystem::path& from, const std::filesystem::path& 
   require(avio_open(&output->pb, output->url, AVIO_FLAG_WRITE), writing);
   const AVStream* source = input->streams[0];
   AVStream* target = require(avformat_new_stream(output.get(), nullptr), writing);
+  // The container names the codec, and has its headers in the form that it needs them; not all it needs of the pictures.
   require(avcodec_parameters_copy(target->codecpar, source->codecpar), writing);
+  target->codecpar->width = encoder.width;
+  target->codecpar->height = encoder.height;
+  target->codecpar->sample_aspect_ratio = target->sample_aspect_ratio = encoder.sample_aspect_ratio;
   target->time_base = source->time_base;
-  target->avg_frame_rate = {fps, 1};
-  target->codecpar->sample_aspect_ratio = target->sample_aspect_ratio = {1, 1};
+  target->avg_frame_rate = encoder.framerate;
   require(av_dict_copy(&output->metadata, input->metadata, 0), writing);
   AVDictionary* options = nullptr;
   av_dict_set(&options, "movflags", "faststart", 0);
@@ -127,10 +130,11 @@ void copy_movie(const std::filesystem::path& from, const std::filesystem::path& 
 
 }  // namespace
 
-void remux_faststart(const std::filesystem::path& from, const std::filesystem::path& to, int fps) {
+void remux_faststart(const std::filesystem::path& from, const std::filesystem::path& to,
+                     const AVCodecContext& encoder) {
   const std::filesystem::path temporary = temporary_of(to);
   try {
-    copy_movie(from, temporary, fps);
+    copy_movie(from, temporary, encoder);
     std::filesystem::rename(temporary, to);
   } catch (...) {
     std::error_code ignored;

@@ -41,8 +41,8 @@ class PartMovie {
   bool broken_ = false;
 };
 
-// `from`, a PartMovie's file, becomes `to` with one index in front of the pictures. Throws OutputError; then `to` is as
-// it was.
-void remux_faststart(const std::filesystem::path& from, const std::filesystem::path& to, int fps);
+// `from`, the file of a PartMovie with this encoder's packets, becomes `to` with one index in front of the pictures. Throws
+// OutputError; then `to` is as it was.
+void remux_faststart(const std::filesystem::path& from, const std::filesystem::path& to, const AVCodecContext& encoder);
 
 }  // namespace weir::av

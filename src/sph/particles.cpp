@@ -6,7 +6,7 @@ template <int Dim>
 void FluidParticles<Dim>::follow(const Tiling<Dim>& tiling, Team& team) {
   const std::size_t slots = tiling.slots() + group_size;  // the slack that whole registers may read
   density.resize(slots);
-  pressure.resize(slots);
+  pressure_term.resize(slots);
   for (int d = 0; d < Dim; ++d) {
     // The accelerations of before the sort are of no use any more: their memory takes the sorted velocities.
     acceleration[d].resize(slots);

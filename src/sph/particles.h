@@ -21,7 +21,7 @@ struct FluidParticles : Places<Dim> {
 
   // Worked out anew in every step:
   AlignedVector<float> density;                        // kg/m^Dim
-  AlignedVector<float> pressure;                       // p / rho^2
+  AlignedVector<float> pressure_term;                  // p / rho^2
   std::array<AlignedVector<float>, Dim> acceleration;  // m/s^2
 
   Vec<Dim> velocity_of(std::size_t slot) const { return of(velocity, slot); }

@@ -52,14 +52,14 @@ struct AccelerationInput {
   float rest_density;
   const float* velocity[Dim];
   const float* density;
-  const float* pressure;  // p / rho^2
+  const float* pressure_term;  // p / rho^2
 };
 
 template <int Dim, class R>
 struct AccelerationState {
   Vec<Dim, R> v;
   R rho;
-  R pressure;
+  R pressure_term;
 };
 
 template <int Dim, class R, class Load>
@@ -67,7 +67,7 @@ AccelerationState<Dim, R> read_state(const AccelerationInput<Dim>& in, const Loa
   AccelerationState<Dim, R> state;
   for (int d = 0; d < Dim; ++d) state.v[d] = load(in.velocity[d]);
   state.rho = load(in.density);
-  state.pressure = load(in.pressure);
+  state.pressure_term = load(in.pressure_term);
   return state;
 }
 
@@ -107,8 +107,8 @@ struct FluidAcceleration {
                             .f = kernel.slope(square_root(r2)),
                             .rho_i = i.rho,
                             .rho_j = j.rho,
-                            .pressure_i = i.pressure,
-                            .pressure_j = j.pressure};
+                            .pressure_term_i = i.pressure_term,
+                            .pressure_term_j = j.pressure_term};
     return terms.from_fluid(pair);
   }
 };
@@ -136,8 +136,8 @@ struct WallAcceleration {
                             .f = kernel.slope(square_root(r2)),
                             .rho_i = i.rho,
                             .rho_j = R(in.rest_density),
-                            .pressure_i = i.pressure,
-                            .pressure_j = R(0)};
+                            .pressure_term_i = i.pressure_term,
+                            .pressure_term_j = R(0)};
     return terms.from_wall(pair);
   }
 };

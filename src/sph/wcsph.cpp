@@ -81,8 +81,7 @@ void Wcsph<Dim>::relist() {
 
 template <int Dim>
 double Wcsph<Dim>::pressure_at(std::size_t slot) const {
-  const double rho = fluid_.density[slot];
-  return static_cast<double>(fluid_.pressure[slot]) * rho * rho;
+  return pressure_of_term(static_cast<double>(fluid_.pressure_term[slot]), static_cast<double>(fluid_.density[slot]));
 }
 
 template <int Dim>
@@ -102,7 +101,7 @@ void Wcsph<Dim>::compute_density_and_pressure() {
   input.clamp_negative_pressure = clamp_negative_pressure_;
   input.id = fluid_.id.data();
   input.density = fluid_.density.data();
-  input.pressure = fluid_.pressure.data();
+  input.pressure_term = fluid_.pressure_term.data();
   team_.for_each(neighbours_.tiling().tiles().size(),
                  [&](std::size_t tile) { loops_.density(input, static_cast<std::int32_t>(tile)); });
 }
@@ -120,7 +119,7 @@ void Wcsph<Dim>::compute_accelerations() {
   input.s = controls_.surface_tension;
   input.id = fluid_.id.data();
   input.density = fluid_.density.data();
-  input.pressure = fluid_.pressure.data();
+  input.pressure_term = fluid_.pressure_term.data();
   for (int d = 0; d < Dim; ++d) {
     input.gravity[d] = static_cast<float>(controls_.gravity[d]);
     input.velocity[d] = fluid_.velocity[d].data();

@@ -30,8 +30,8 @@ double share_of_laplacian(double h_per_dx) {
                                  .f = kernel.derivative_over_r(std::sqrt(r2)),
                                  .rho_i = 1,
                                  .rho_j = 1,
-                                 .pressure_i = 0,
-                                 .pressure_j = 0};
+                                 .pressure_term_i = 0,
+                                 .pressure_term_j = 0};
       a += acceleration(pair, viscosity.from_fluid(pair))[0];
     }
   }
@@ -63,8 +63,8 @@ Pair<Dim, double> random_pair(std::mt19937& random) {
   pair.f = 1 + u(random);
   pair.rho_i = 1 + 0.1 * u(random);
   pair.rho_j = 1 + 0.1 * u(random);
-  pair.pressure_i = 2 + u(random);
-  pair.pressure_j = 2 + u(random);
+  pair.pressure_term_i = 2 + u(random);
+  pair.pressure_term_j = 2 + u(random);
   return pair;
 }
 
@@ -73,7 +73,7 @@ Pair<Dim, double> seen_from_j(const Pair<Dim, double>& pair) {
   Pair<Dim, double> other = pair;
   other.x_ij = -1.0 * pair.x_ij;
   other.v_ij = -1.0 * pair.v_ij;
-  std::swap(other.pressure_i, other.pressure_j);
+  std::swap(other.pressure_term_i, other.pressure_term_j);
   std::swap(other.rho_i, other.rho_j);
   return other;
 }
@@ -100,13 +100,19 @@ TEST(Momentum, EveryConsistentTermIsAntisymmetric) {
 }
 
 TEST(Momentum, PressureRepelsAndViscosityOpposesMotion) {
-  Pair<2, double> pair{
-      .x_ij = {1, 0}, .v_ij = {1, 0}, .r2 = 1, .f = 1, .rho_i = 1, .rho_j = 1, .pressure_i = 1, .pressure_j = 1};
+  Pair<2, double> pair{.x_ij = {1, 0},
+                       .v_ij = {1, 0},
+                       .r2 = 1,
+                       .f = 1,
+                       .rho_i = 1,
+                       .rho_j = 1,
+                       .pressure_term_i = 1,
+                       .pressure_term_j = 1};
   const auto from_fluid = [&](const auto& term) { return acceleration(pair, term.from_fluid(pair))[0]; };
   const auto from_wall = [&](const auto& term) { return acceleration(pair, term.from_wall(pair))[0]; };
   EXPECT_EQ(from_fluid(Pressure{}), 2);  // F (1 + 1)
   EXPECT_EQ(from_wall(Pressure{}), 2);   // 2 F p_i / rho_i^2, whatever stands for p_j
-  pair.pressure_j = 17;
+  pair.pressure_term_j = 17;
   EXPECT_EQ(from_wall(Pressure{}), 2);
   // nu = 1 and no softening: 2 nu F / rho, and 2 (2 + 2) nu F / rho, against the motion.
   EXPECT_EQ(from_fluid(MorrisViscosity::of<2>(1, 0)), -2);

@@ -151,6 +151,8 @@ std::unique_ptr<Renderer> make_renderer(const Scene& /*scene*/, const StillLife&
 
 std::array<double, 2> color_range(const Scene& /*scene*/, const StillLife& /*still_life*/) { return {0, 1}; }
 
+void load_movies() {}
+
 std::unique_ptr<MovieSink> make_movie_sink(const std::filesystem::path& /*folder*/, const Scene& /*scene*/,
                                            const Provenance& /*provenance*/) {
   if (behaviour_now.no_encoder) throw OutputError("no encoder on purpose");

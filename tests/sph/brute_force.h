@@ -76,7 +76,7 @@ struct State {
       acceleration[i] = convert<double>(fluid.acceleration_of(slot));
       density[i] = fluid.density[slot];
       pressure[i] = solver.pressure_at(slot);
-      pressure_term[i] = fluid.pressure[slot];
+      pressure_term[i] = fluid.pressure_term[slot];
     }
     for (std::size_t slot = 0; slot < solver.walls().slots(); ++slot) {
       if (!solver.walls().empty(slot)) wall.push_back(solver.walls().position(slot));

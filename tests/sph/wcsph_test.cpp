@@ -123,8 +123,8 @@ std::vector<Vec<Dim, double>> accelerations_over_all_pairs(const State<Dim>& sta
                            .f = 0,
                            .rho_i = state.density[i],
                            .rho_j = 0,
-                           .pressure_i = pressure[i],
-                           .pressure_j = 0};
+                           .pressure_term_i = pressure[i],
+                           .pressure_term_j = 0};
     const auto meet = [&](const Vec<Dim, double>& x_j) {
       pair.x_ij = state.position[i] - x_j;
       pair.r2 = dot(pair.x_ij, pair.x_ij);
@@ -136,7 +136,7 @@ std::vector<Vec<Dim, double>> accelerations_over_all_pairs(const State<Dim>& sta
       if (i == j || !meet(state.position[j])) continue;
       pair.v_ij = state.velocity[i] - state.velocity[j];
       pair.rho_j = state.density[j];
-      pair.pressure_j = pressure[j];
+      pair.pressure_term_j = pressure[j];
       ((result[i] += acceleration(pair, terms.from_fluid(pair))), ...);
     }
     for (const auto& x_j : state.wall) {
@@ -361,7 +361,7 @@ TYPED_TEST(WcsphIn, InstructionSetsAgreeParticleByParticle) {
         if (fluid.empty(slot)) continue;
         const auto i = static_cast<std::size_t>(fluid.id[slot]);
         fluid.density[slot] = static_cast<float>(one.density[i]);
-        fluid.pressure[slot] = static_cast<float>(one.pressure_term[i]);
+        fluid.pressure_term[slot] = static_cast<float>(one.pressure_term[i]);
       }
       solver.compute_accelerations();
       const State<dim> same(solver);

@@ -32,7 +32,7 @@ struct DensityInput {
   bool clamp_negative_pressure = false;
   const std::int32_t* id = nullptr;
   float* density = nullptr;
-  float* pressure = nullptr;
+  float* pressure_term = nullptr;  // p / rho^2
 };
 template <int Dim>
 using ComputeDensity = void (*)(const DensityInput<Dim>& in, std::int32_t tile);
@@ -51,7 +51,7 @@ struct AccelerationArguments {
   float gravity[Dim] = {};
   const std::int32_t* id = nullptr;
   const float* density = nullptr;
-  const float* pressure = nullptr;
+  const float* pressure_term = nullptr;
   const float* velocity[Dim] = {};
   float* sums = nullptr;  // of the tile's pairs, room for sum_width<Dim> floats a slot up to the end of a group
   float* acceleration[Dim] = {};

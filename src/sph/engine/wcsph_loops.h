@@ -51,14 +51,14 @@ void density(const DensityInput<Dim>& in, std::int32_t tile) {
     const Lanes p = pressure_of_state(rho / rest_density, Lanes(in.stiffness), in.exponent);
     const Lanes kept = in.clamp_negative_pressure ? positive_part(p) : p;
     store(rho, in.density + i);
-    store(select(particle, pressure_over_density_squared(kept, rho), Lanes()), in.pressure + i);
+    store(select(particle, pressure_over_density_squared(kept, rho), Lanes()), in.pressure_term + i);
   }
 }
 
 template <int Dim>
 WEIR_INLINE AccelerationInput<Dim> read_by_pairs(const AccelerationArguments<Dim>& in) {
   AccelerationInput<Dim> read{
-      .rest_density = in.rest_density, .velocity = {}, .density = in.density, .pressure = in.pressure};
+      .rest_density = in.rest_density, .velocity = {}, .density = in.density, .pressure_term = in.pressure_term};
   for (int d = 0; d < Dim; ++d) read.velocity[d] = in.velocity[d];
   return read;
 }
