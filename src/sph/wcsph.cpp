@@ -88,7 +88,6 @@ template <int Dim>
 void Wcsph<Dim>::compute_density_and_pressure() {
   DensityInput<Dim> input;
   input.pairs = neighbours_.pairs(fluid_, walls_);
-  input.support_radius = static_cast<float>(support_radius_);
   PairLists& near = neighbours_.near_lists();
   input.near_fluid_lists = near.fluid.data();
   input.near_wall_lists = near.walls.data();

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "render/taken_pixels.h"
+
 namespace weir {
 namespace {
 
@@ -28,15 +30,7 @@ std::vector<std::uint32_t> pixels_of(Dots& dots) {
   std::vector<std::uint8_t> stale;
   std::vector<Texel> texels(bins.close(stale));
   dots.take(bins, 1, texels.data());
-  std::vector<std::uint32_t> pixels(width * height);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      const Bins::Range range = bins.ranges()[y / square_height * bins.columns() + x / square_width];
-      if (range.first >= range.past) continue;
-      const int block = y % square_height / 2 * (square_width / 4) + x % square_width / 4;
-      pixels[y * width + x] = texels[range.first + 2 * block + y % 2][x % 4];
-    }
-  return pixels;
+  return taken_pixels(bins, texels, width, height);
 }
 
 // Against the formula in double precision: a share may be rounded to the other side, and a byte after it.

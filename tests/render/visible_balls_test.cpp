@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "render/balls.h"
+#include "render/taken_pixels.h"
 
 namespace weir {
 namespace {
@@ -44,19 +45,6 @@ const Colormap& colors() {
 
 using Picture = std::vector<std::uint32_t>;  // 0xAABBGGRR
 
-template <class Taken>
-Picture pixels_of(const Bins& bins, const Taken& texels) {
-  Picture pixels(width * height);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      const Bins::Range range = bins.ranges()[y / square_height * bins.columns() + x / square_width];
-      if (range.first >= range.past) continue;
-      const int block = y % square_height / 2 * (square_width / 4) + x % square_width / 4;
-      pixels[y * width + x] = texels[range.first + 2 * block + y % 2][x % 4];
-    }
-  return pixels;
-}
-
 Picture picture_of(const std::vector<glm::vec4>& particles, const View& view, int threads = 1) {
   Balls balls(width, height, threads);
   balls.show(particles, view.projection(), view.style(), colors());
@@ -65,7 +53,7 @@ Picture picture_of(const std::vector<glm::vec4>& particles, const View& view, in
   std::vector<std::uint8_t> stale;
   std::vector<Texel> texels(bins.close(stale));
   balls.take(bins, 1, texels.data());
-  return pixels_of(bins, texels);
+  return taken_pixels(bins, texels, width, height);
 }
 
 std::vector<ScreenBall> seen(const std::vector<glm::vec4>& particles, const View& view) {

@@ -80,13 +80,17 @@ TYPED_TEST(WcsphIn, DensityAndPressureEqualADoublePrecisionBruteForce) {
   });
 }
 
+Scene viscous_and_cohesive_dam_break(int dim) {
+  Scene scene = small_dam_break(dim, dim == 2 ? 0.025 : 0.05);
+  scene.fluid.viscosity = {ViscosityModel::morris, 0.01};
+  scene.fluid.surface_tension = {SurfaceTensionModel::seed_a, dim == 2 ? 1e-4 : 1e-6};
+  return scene;
+}
+
 TYPED_TEST(WcsphIn, AccelerationEqualsADoublePrecisionBruteForce) {
   constexpr int dim = TypeParam::value;
-  Scene base = small_dam_break(dim, dim == 2 ? 0.025 : 0.05);
-  base.fluid.viscosity = {ViscosityModel::morris, 0.01};
-  base.fluid.surface_tension = {SurfaceTensionModel::seed_a, dim == 2 ? 1e-4 : 1e-6};
   Team team(2);
-  for_each_kernel(base, [&](const Scene& scene) {
+  for_each_kernel(viscous_and_cohesive_dam_break(dim), [&](const Scene& scene) {
     const Sampling sampling = shaken(scene, 3);
     for (const InstructionSet set : usable_instruction_sets()) {
       Wcsph<dim> solver(scene, sampling, team, set);
@@ -338,11 +342,8 @@ TYPED_TEST(WcsphIn, IntegrationEqualsEulerCromerInDouble) {
 // hundredth of the sum.
 TYPED_TEST(WcsphIn, InstructionSetsAgreeParticleByParticle) {
   constexpr int dim = TypeParam::value;
-  Scene base = small_dam_break(dim, dim == 2 ? 0.025 : 0.05);
-  base.fluid.viscosity = {ViscosityModel::morris, 0.01};
-  base.fluid.surface_tension = {SurfaceTensionModel::seed_a, dim == 2 ? 1e-4 : 1e-6};
   Team team(2);
-  for_each_kernel(base, [&](const Scene& scene) {
+  for_each_kernel(viscous_and_cohesive_dam_break(dim), [&](const Scene& scene) {
     const Sampling sampling = shaken(scene, 8);
     Wcsph<dim> first(scene, sampling, team, usable_instruction_sets().front());
     accelerate(first);

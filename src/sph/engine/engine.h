@@ -20,7 +20,6 @@ using ListPairs = void (*)(const ListInput<Dim>& in, std::int32_t tile, IntBuffe
 template <int Dim>
 struct DensityInput {
   PairInput<Dim> pairs;
-  float support_radius = 0;               // m
   IntBuffer* near_fluid_lists = nullptr;  // per tile
   IntBuffer* near_wall_lists = nullptr;
   bool walls = false;  // whether there are any

@@ -9,7 +9,7 @@ namespace weir::WEIR_INSTRUCTION_SET {
 
 class Narrowed {
  public:
-  // `out` has room for all that `lists` hold. Those clusters remain that are within the support radius (m), and perhaps
+  // `out` has room for as much as is narrowed. Those clusters remain that are within the support radius (m), and perhaps
   // some that are hardly beyond.
   WEIR_INLINE Narrowed(std::int32_t* out, float support_radius)
       : limit_(1.00001F * support_radius * support_radius), out_(out) {}

@@ -36,10 +36,11 @@ void density(const DensityInput<Dim>& in, std::int32_t tile) {
   const DensityPass<Dim, KernelAt<Kernel<Dim>, Real>> pass{kernel};
   fill(in.density, slots, kernel.shape(0.0F));  // a particle counts itself
   float* const sums = in.density + slots.begin;
-  narrow(in.pairs.fluid_lists[tile], in.near_fluid_lists[tile], in.support_radius,
+  const auto support_radius = static_cast<float>(support_per_h * in.h);
+  narrow(in.pairs.fluid_lists[tile], in.near_fluid_lists[tile], support_radius,
          [&](Narrowed& lists) { visit_fluid<Dim>(in.pairs, tile, pass, sums, lists); });
   if (in.walls) {
-    narrow(in.pairs.wall_lists[tile], in.near_wall_lists[tile], in.support_radius,
+    narrow(in.pairs.wall_lists[tile], in.near_wall_lists[tile], support_radius,
            [&](Narrowed& lists) { visit_walls<Dim>(in.pairs, tile, pass, sums, lists); });
   }
 
