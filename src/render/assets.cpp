@@ -2,12 +2,12 @@
 
 #include "core/embed.h"
 
-WEIR_EMBED(gather_vert, WEIR_SHADERS "/gather.vert")
-WEIR_EMBED(gather_frag, WEIR_SHADERS "/gather.frag")
+WEIR_EMBED(compose_vert, WEIR_SHADERS "/compose.vert")
+WEIR_EMBED(compose_frag, WEIR_SHADERS "/compose.frag")
 
 namespace weir::assets {
 
-std::string_view gather_vert() { return embedded_gather_vert(); }
-std::string_view gather_frag() { return embedded_gather_frag(); }
+std::string_view compose_vert() { return embedded_compose_vert(); }
+std::string_view compose_frag() { return embedded_compose_frag(); }
 
 }  // namespace weir::assets

@@ -5,7 +5,7 @@
 
 namespace weir::assets {
 
-std::string_view gather_vert();
-std::string_view gather_frag();
+std::string_view compose_vert();
+std::string_view compose_frag();
 
 }  // namespace weir::assets

@@ -6,12 +6,8 @@
 #include <cstring>
 #include <limits>
 #include <new>
-#if defined(__x86_64__)
-#include <immintrin.h>
-#endif
 
-#include "render/four.h"
-#include "simd/attributes.h"
+#include "render/eight.h"
 
 namespace weir {
 
@@ -20,11 +16,6 @@ namespace {
 constexpr float full = 1024;  // of a pixel's area
 constexpr float far = 1e38f;  // m
 constexpr float nowhere_hidden = std::numeric_limits<float>::infinity();
-
-// Two rows of four pixels in one register, or in two. They are passed to nobody: functions that take some are parts of
-// their callers, which say for which registers they are built.
-using Eight = float __attribute__((vector_size(32)));
-using EightWhole = std::int32_t __attribute__((vector_size(32)));
 
 int across(int pixels, int unit) { return (pixels + unit - 1) / unit; }
 
@@ -59,12 +50,6 @@ namespace {
 using Block = BallPixels::Block;
 using Seen = BallPixels::Seen;
 
-WEIR_INLINE bool all_lanes(const EightWhole& masks) {
-  std::array<std::uint64_t, 4> parts;
-  std::memcpy(parts.data(), &masks, sizeof(parts));
-  return (parts[0] & parts[1] & parts[2] & parts[3]) == ~std::uint64_t{0};
-}
-
 WEIR_INLINE void share_of(const Seen& seen, const Eight& squared, Eight& share) {
   const Eight zero{};
   const Eight one = zero + 1;
@@ -83,13 +68,13 @@ WEIR_INLINE bool add_to_blocks(Block* blocks, const Seen& seen, std::int32_t num
   const Eight far_away = zero + far;
   const Eight deepest = zero + seen.radius;
   const Eight whole = zero + full;
-  const Eight off_x = Eight{0.5f, 1.5f, 2.5f, 3.5f, 0.5f, 1.5f, 2.5f, 3.5f} + (static_cast<float>(left) - seen.x);
+  const Eight off_x = middle_x + (static_cast<float>(left) - seen.x);
   const Eight squared_x = off_x * off_x;
   const EightWhole ball = EightWhole{} + number;
   EightWhole done = ~EightWhole{};
   for (int k = 0; k < 2; ++k, top += block_height) {
     Block& block = blocks[k];
-    const Eight off_y = Eight{0.5f, 0.5f, 0.5f, 0.5f, 1.5f, 1.5f, 1.5f, 1.5f} + (static_cast<float>(top) - seen.y);
+    const Eight off_y = middle_y + (static_cast<float>(top) - seen.y);
     const Eight squared = squared_x + off_y * off_y;
     Eight share;
     share_of(seen, squared, share);
@@ -146,8 +131,8 @@ WEIR_INLINE void look_at(const Added* balls, const EightWhole& numbers, int left
                                        __builtin_shufflevector(low_a, low_b, 2, 3, 10, 11, 6, 7, 14, 15),
                                        __builtin_shufflevector(high_a, high_b, 0, 1, 8, 9, 4, 5, 12, 13),
                                        __builtin_shufflevector(high_a, high_b, 2, 3, 10, 11, 6, 7, 14, 15)};
-  const Eight off_x = Eight{0.5f, 1.5f, 2.5f, 3.5f, 0.5f, 1.5f, 2.5f, 3.5f} + static_cast<float>(left) - fields[0];
-  const Eight off_y = Eight{0.5f, 0.5f, 0.5f, 0.5f, 1.5f, 1.5f, 1.5f, 1.5f} + static_cast<float>(top) - fields[1];
+  const Eight off_x = middle_x + static_cast<float>(left) - fields[0];
+  const Eight off_y = middle_y + static_cast<float>(top) - fields[1];
   const Eight zero{};
   const Eight least = zero + least_ball;
   const Eight size = fields[2];
@@ -159,16 +144,6 @@ WEIR_INLINE void look_at(const Added* balls, const EightWhole& numbers, int left
   look.right = off_x * part;
   look.up = -off_y * part;
   std::memcpy(&look.color, &fields[3], sizeof(look.color));
-}
-
-WEIR_INLINE void square_root(Eight& of) {
-#if defined(__x86_64__)
-  const Four low = _mm_sqrt_ps(__builtin_shufflevector(of, of, 0, 1, 2, 3));
-  const Four high = _mm_sqrt_ps(__builtin_shufflevector(of, of, 4, 5, 6, 7));
-  of = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
-#else
-  for (int k = 0; k < 8; ++k) of[k] = std::sqrt(of[k]);
-#endif
 }
 
 // Red, green and blue of the balls where they are looked at: light from behind the viewer's left shoulder, some from
@@ -208,10 +183,8 @@ WEIR_INLINE void resolve_block(const Block& block, const Added* balls, float opa
     for (int channel = 0; channel < 3; ++channel) rgb[channel] = front * rgb[channel] + (1 - front) * behind[channel];
   }
   const Eight alpha = covered * (opacity * 255 / full);
-  EightWhole packed = __builtin_convertvector(rgb[0] + 0.5f, EightWhole) |
-                      __builtin_convertvector(rgb[1] + 0.5f, EightWhole) << 8 |
-                      __builtin_convertvector(rgb[2] + 0.5f, EightWhole) << 16 |
-                      __builtin_convertvector(alpha + 0.5f, EightWhole) << 24;
+  EightWhole packed;
+  pack(rgb, alpha, packed);
   packed = covered > zero ? packed : EightWhole{};
   std::memcpy(texels, &packed, sizeof(packed));
 }
@@ -243,14 +216,6 @@ __attribute__((target("avx2"))) void resolve_wide(const Block& block, const Adde
 #endif
 
 }  // namespace
-
-bool BallPixels::has_wide_registers() {
-#if defined(__x86_64__)
-  return __builtin_cpu_supports("avx2") != 0;
-#else
-  return false;
-#endif
-}
 
 const BallPixels::Loops& BallPixels::loops(bool wide_registers) {
   static constexpr Loops narrow{add_narrow, resolve_narrow};
@@ -383,35 +348,34 @@ void BallPixels::close(int column, int row) {
   area.hidden_from = std::max(area.hidden_from, furthest);
 }
 
-void BallPixels::mark(std::vector<std::uint8_t>& squares, int squares_a_row) const {
+void BallPixels::mark(Squares& squares) const {
   for (int row = 0; row < rows_; ++row)
     for (int column = 0; column < columns_; ++column) {
       if (touched_.empty() || touched_[cell_at(column, row)] == 0) continue;
-      std::uint8_t* line =
-          &squares[static_cast<std::size_t>((all_.top + row * cell_side) / square_height) * squares_a_row];
+      const int square_row = (all_.top + row * cell_side) / square_height;
+      std::uint8_t* line = &squares.filled()[static_cast<std::size_t>(square_row) * squares.columns()];
       const int left = all_.left + column * cell_side;
       line[left / square_width] = 1;
       // The chroma of a block takes from the pixel to its left.
-      if ((left + cell_side) / square_width < squares_a_row) line[(left + cell_side) / square_width] = 1;
+      if ((left + cell_side) / square_width < squares.columns()) line[(left + cell_side) / square_width] = 1;
     }
 }
 
-void BallPixels::take(const Bins& bins, double opacity, Texel* texels) const {
-  constexpr int block_texels = block_height;
-  constexpr int square_blocks = square_width / block_width;
+void BallPixels::take(const Squares& squares, double opacity, Texel* texels) const {
   constexpr int square_columns = square_width / cell_side;
   constexpr int square_rows = square_height / cell_side;
   for (int row = 0; row < rows_; ++row)
     for (int column = 0; column < columns_; ++column) {
       const int left = all_.left + column * cell_side;
       const int top = all_.top + row * cell_side;
-      const Bins::Range range =
-          bins.ranges()[static_cast<std::size_t>(top / square_height) * bins.columns() + left / square_width];
-      if (range.first >= range.past) continue;
+      const std::uint32_t first =
+          squares
+              .first_texels()[static_cast<std::size_t>(top / square_height) * squares.columns() + left / square_width];
+      if (first == Squares::empty) continue;
       const std::size_t cell = cell_at(column, row);
       for (int k = 0; k < cell_blocks; ++k) {
         const int line = row % square_rows * cell_blocks + k;
-        Texel* to = texels + range.first + (line * square_blocks + column % square_columns) * block_texels;
+        Texel* to = texels + first + (line * square_blocks + column % square_columns) * block_texels;
         if (touched_[cell] == 0)
           std::fill_n(to, block_texels, Texel{});
         else

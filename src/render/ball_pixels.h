@@ -15,7 +15,8 @@
 #include <memory>
 #include <vector>
 
-#include "render/bins.h"
+#include "render/eight.h"
+#include "render/squares.h"
 #include "render/texel.h"
 
 namespace weir {
@@ -43,9 +44,7 @@ struct PixelRange {
 
 class BallPixels {
  public:
-  // Loops for registers of eight floats, where the processor has them; pixels are the same bits.
-  static bool has_wide_registers();
-  // These pixels of a picture: whole squares of Bins on the left and above, and whole areas.
+  // These pixels of a picture: whole Squares on the left and above, and whole areas.
   explicit BallPixels(const PixelRange& pixels, bool wide_registers = has_wide_registers());
   const PixelRange& all() const { return all_; }
 
@@ -61,10 +60,10 @@ class BallPixels {
   void add(const ScreenBall& ball);
   std::size_t added() const { return added_.size(); }
 
-  // Marks the squares, so many a row of the picture, for which there is anything to draw.
-  void mark(std::vector<std::uint8_t>& squares, int squares_a_row) const;
-  // Writes what our squares hold to where the bins have it.
-  void take(const Bins& bins, double opacity, Texel* texels) const;
+  // Marks the squares for which there is anything to draw.
+  void mark(Squares& squares) const;
+  // Writes what our squares hold to where it belongs.
+  void take(const Squares& squares, double opacity, Texel* texels) const;
 
   struct Block;  // of pixels; see .cpp
   struct Seen;

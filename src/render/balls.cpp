@@ -38,16 +38,12 @@ void Balls::show(std::span<const glm::vec4> particles, const Projection& project
   });
 }
 
-void Balls::count(Bins& bins) const {
-  bins.reset(square_shift);
-  std::vector<std::uint8_t> filled(bins.size(), 0);
-  for (const Strip& strip : strips_) strip.pixels.mark(filled, bins.columns());
-  for (std::size_t bin = 0; bin < bins.size(); ++bin)
-    if (filled[bin] != 0) bins.count(bin, square_texels);
+void Balls::mark(Squares& squares) const {
+  for (const Strip& strip : strips_) strip.pixels.mark(squares);
 }
 
-void Balls::take(const Bins& bins, double opacity, Texel* texels) {
-  team_->for_each(strips_.size(), [&](std::size_t k) { strips_[k].pixels.take(bins, opacity, texels); });
+void Balls::take(const Squares& squares, double opacity, Texel* texels) {
+  team_->for_each(strips_.size(), [&](std::size_t k) { strips_[k].pixels.take(squares, opacity, texels); });
 }
 
 }  // namespace weir

@@ -11,10 +11,9 @@
 #include "core/team.h"
 #include "render/ball_groups.h"
 #include "render/ball_pixels.h"
-#include "render/bins.h"
 #include "render/colormap.h"
+#include "render/particle_pixels.h"
 #include "render/projection.h"
-#include "render/texel.h"
 #include "render/visible_balls.h"
 
 namespace weir {
@@ -24,7 +23,7 @@ struct BallStyle {
   std::array<double, 2> range{0, 1};  // of the particles' quantity, for the colour map
 };
 
-class Balls {
+class Balls final : public ParticlePixels {
  public:
   Balls(int width, int height, int threads);  // pixels
 
@@ -32,10 +31,8 @@ class Balls {
   void show(std::span<const glm::vec4> particles, const Projection& projection, const BallStyle& style,
             const Colormap& colors);
 
-  // Sets the bins to squares and says which hold anything, and how many texels of each there will be.
-  void count(Bins& bins) const;
-  // Writes what the squares hold to where the bins have it.
-  void take(const Bins& bins, double opacity, Texel* texels);
+  void mark(Squares& squares) const override;
+  void take(const Squares& squares, double opacity, Texel* texels) override;
 
  private:
   struct Strip {

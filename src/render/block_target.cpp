@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "core/error.h"
-#include "render/bins.h"
+#include "render/squares.h"
 
 namespace weir {
 
@@ -90,7 +90,10 @@ void ColorTarget::read(Image& image) {
 }
 
 Backdrop::Backdrop(int width, int height)
-    : columns_(blocks_across(width)), rows_(height), texels_(make_buffer_texture(GL_RGBA32UI, buffer_.id())) {
+    : columns_(blocks_across(width)),
+      rows_(height),
+      texels_(make_buffer_texture(GL_RGBA32UI, buffer_.id())),
+      pixels_(make_buffer_texture(GL_R32UI, buffer_.id())) {
   const std::size_t bytes = std::size_t{4} * block_width * columns_ * rows_;
   glNamedBufferData(buffer_.id(), static_cast<GLsizeiptr>(bytes), nullptr, GL_STATIC_DRAW);
 }

@@ -42,13 +42,15 @@ class Backdrop {
   void fill(std::uint32_t color);  // every pixel 0xAABBGGRR
   void take(const ColorTarget& target);
   GLuint texels() const { return texels_.id(); }
-  int columns() const { return columns_; }  // texels
+  GLuint pixels() const { return pixels_.id(); }  // the same, one by one
+  int columns() const { return columns_; }        // texels
 
  private:
   int columns_;
   int rows_;
   GlBuffer buffer_;
   GlTexture texels_;
+  GlTexture pixels_;
 };
 
 // Y'CbCr as in MovieImage. Throws DeviceError if the driver cannot.

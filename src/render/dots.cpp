@@ -109,12 +109,10 @@ void Dots::add_to_pixels(std::span<const glm::vec4> particles, const glm::vec4& 
   });
 }
 
-void Dots::count(Bins& bins) const {
-  bins.reset(square_shift);
+void Dots::mark(Squares& squares) const {
   for (std::size_t row = 1; row + 1 < square_rows_; ++row)
     for (std::size_t column = 1; column + 1 < square_stride_; ++column)
-      if (filled_[row * square_stride_ + column] != 0)
-        bins.count((row - 1) * bins.columns() + column - 1, square_texels);
+      if (filled_[row * square_stride_ + column] != 0) squares.filled()[(row - 1) * squares.columns() + column - 1] = 1;
 }
 
 // Four pixels at once.
@@ -128,13 +126,13 @@ Texel Dots::resolved(const Sum* sums, float opacity) {
   return std::bit_cast<Texel>(byte(red * part) | byte(green * part) << 8 | byte(blue * part) << 16 | byte(alpha) << 24);
 }
 
-void Dots::take(const Bins& bins, double opacity, Texel* texels) {
+void Dots::take(const Squares& squares, double opacity, Texel* texels) {
   const std::size_t stride = square_stride_ * square_width;
   for (std::size_t row = 0; row + 2 < square_rows_; ++row)
     for (std::size_t column = 0; column + 2 < square_stride_; ++column) {
-      const Bins::Range range = bins.ranges()[row * bins.columns() + column];
-      if (range.first >= range.past) continue;
-      Texel* to = texels + range.first;
+      const std::uint32_t first = squares.first_texels()[row * squares.columns() + column];
+      if (first == Squares::empty) continue;
+      Texel* to = texels + first;
       Sum* top = &sums_[(row + 1) * square_height * stride + (column + 1) * square_width];
       for (int y = 0; y < square_height; y += block_height, top += block_height * stride)
         for (int x = 0; x < square_width; x += block_width)

@@ -15,16 +15,15 @@
 #include <span>
 #include <vector>
 
-#include "render/bins.h"
 #include "render/colormap.h"
-#include "render/texel.h"
+#include "render/particle_pixels.h"
 
 namespace weir {
 
 // Up to this radius, pixels, a disc is spread as a dot: the largest of which no pixel has more than its own area.
 inline constexpr double largest_dot = std::numbers::inv_sqrtpi * 2;
 
-class Dots {
+class Dots final : public ParticlePixels {
  public:
   Dots(int width, int height);  // pixels
 
@@ -33,10 +32,9 @@ class Dots {
   void add(std::span<const glm::vec4> particles, const glm::vec4& scale, const glm::vec4& offset, double radius,
            const Colormap& colors);
 
-  // Sets the bins to squares and says which hold anything, and how many texels of each there will be.
-  void count(Bins& bins) const;
-  // Writes what the squares hold to where the bins have it. Nothing is left then.
-  void take(const Bins& bins, double opacity, Texel* texels);
+  void mark(Squares& squares) const override;
+  // Nothing is left then.
+  void take(const Squares& squares, double opacity, Texel* texels) override;
 
  private:
   // Red, green and blue, each times the share of the pixel in 1/1024, and the sum of those shares.

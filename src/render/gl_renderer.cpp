@@ -47,8 +47,10 @@ void clear(Image& image, const IntBox& box) {
 
 }  // namespace
 
-GlRenderer::Drawing::Drawing(int width, int height)
-    : discs(width, height), empty(width, height), walls(width, height), background(width, height) {}
+GlRenderer::Drawing::Drawing(int width, int height, bool transparent)
+    : particles(width, height), walls(width, height), ground(width, height) {
+  if (transparent) movie_ground.emplace(width, height);
+}
 
 GlRenderer::GlRenderer(const Scene& scene, const StillLife& still_life, const DeviceChoice& choice)
     : scene_(scene),
@@ -69,8 +71,9 @@ GlRenderer::GlRenderer(const Scene& scene, const StillLife& still_life, const De
   changing_ = on_blocks(overlay_.changing_boxes(), padded, height_);
   boxes_ = fixed_;
   boxes_.insert(boxes_.end(), changing_.begin(), changing_.end());
-  drawing_.emplace(width_, height_);
-  drawing_->empty.fill(packed(transparent_ ? Rgb{} : palette_.background, transparent_ ? 0 : 255));
+  drawing_.emplace(width_, height_, transparent_);
+  drawing_->ground.empty.fill(packed(transparent_ ? Rgb{} : palette_.background, transparent_ ? 0 : 255));
+  if (transparent_) drawing_->movie_ground->empty.fill(packed(palette_.background, 255));
   layer_ = {padded, height_, std::vector<std::uint8_t>(std::size_t{4} * padded * height_)};
 }
 
@@ -110,10 +113,15 @@ void GlRenderer::draw_background() {
     for (const glm::vec3& wall : walls_)
       if (!projection_.perspective || !hides_inside(scene_, Vec3(wall), projection_.eye)) seen.emplace_back(wall, 0.0f);
   std::vector<std::uint8_t> stale;
-  drawing_->discs.arrange(seen, projection_, wall_style_, stale);
-  drawing_->discs.draw(drawing_->walls.framebuffer(), {}, drawing_->empty);
-  drawing_->background.take(drawing_->walls);
+  drawing_->particles.arrange(seen, projection_, wall_style_, stale);
+  draw_walls(drawing_->ground);
+  if (drawing_->movie_ground) draw_walls(*drawing_->movie_ground);
   arranged_ = -1;
+}
+
+void GlRenderer::draw_walls(Ground& ground) {
+  drawing_->particles.draw(drawing_->walls.framebuffer(), PixelsFor::backdrop, ground.empty);
+  ground.background.take(drawing_->walls);
 }
 
 void GlRenderer::draw_changing_texts(const Frame& frame) {
@@ -122,21 +130,23 @@ void GlRenderer::draw_changing_texts(const Frame& frame) {
 }
 
 template <class Target>
-void GlRenderer::draw_on(Sheet<Target>& sheet, const DiscOutput& output) {
+void GlRenderer::draw_on(Sheet<Target>& sheet, PixelsFor use) {
   const bool same_view = sheet.view == view_;
   const bool same_particles = same_view && sheet.particles == particles_number_;
   const bool same_texts = same_view && sheet.texts == texts_number_;
   if (same_particles && same_texts) return;
   if (!same_view) sheet.stale.clear();
   if (!same_particles || arranged_ != particles_number_) {
-    drawing_->discs.arrange(particles_, projection_, fluid_style_, sheet.stale);
+    drawing_->particles.arrange(particles_, projection_, fluid_style_, sheet.stale);
     arranged_ = particles_number_;
   }
   if (!same_texts)
     for (const IntBox& box : same_view ? changing_ : boxes_) sheet.layer.upload(layer_, box);
   const GLuint target = sheet.target.framebuffer();
-  if (!same_particles) drawing_->discs.draw(target, output, drawing_->background);
-  drawing_->discs.draw(target, output, drawing_->background, sheet.layer, same_particles ? changing_ : boxes_);
+  const bool opaque = use == PixelsFor::movie && drawing_->movie_ground;
+  const Backdrop& background = (opaque ? *drawing_->movie_ground : drawing_->ground).background;
+  if (!same_particles) drawing_->particles.draw(target, use, background);
+  drawing_->particles.draw(target, use, background, sheet.layer, same_particles ? changing_ : boxes_);
   sheet.view = view_;
   sheet.particles = particles_number_;
   sheet.texts = texts_number_;
@@ -146,7 +156,7 @@ void GlRenderer::draw(const Frame& frame, Image& image) {
   context_->make_current();
   see(frame);
   if (!drawing_->picture) drawing_->picture.emplace(width_, height_);
-  draw_on(*drawing_->picture, {.movie = false, .straight = true, .background = {}});
+  draw_on(*drawing_->picture, PixelsFor::picture);
   drawing_->picture->target.read(image);
   check_drawn();
 }
@@ -156,8 +166,7 @@ void GlRenderer::start(const Frame& frame) {
   context_->make_current();
   see(frame);
   while (drawing_->movie.size() < movie_sheets) drawing_->movie.emplace_back(width_, height_);
-  draw_on(drawing_->movie[started_ % movie_sheets],
-          {.movie = true, .straight = false, .background = palette_.background});
+  draw_on(drawing_->movie[started_ % movie_sheets], PixelsFor::movie);
   glFlush();  // the device may begin
   ++started_;
 }

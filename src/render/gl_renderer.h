@@ -9,9 +9,9 @@
 
 #include "render/block_target.h"
 #include "render/camera.h"
-#include "render/disc_painter.h"
 #include "render/egl_context.h"
 #include "render/overlay.h"
+#include "render/particle_painter.h"
 #include "render/renderer.h"
 
 namespace weir {
@@ -36,16 +36,23 @@ class GlRenderer final : public Renderer {
     std::int64_t view = -1;  // numbers of what is shown, see below
     std::int64_t particles = -1;
     std::int64_t texts = -1;
-    std::vector<std::uint8_t> stale;  // bins that show more than the background
+    std::vector<std::uint8_t> stale;  // squares that show more than the background
+  };
+
+  // What particles are drawn over.
+  struct Ground {
+    Ground(int width, int height) : empty(width, height), background(width, height) {}
+    Backdrop empty;       // nothing but the background's colour
+    Backdrop background;  // with walls
   };
 
   // Everything that lives in the context, so that it can go before the context does.
   struct Drawing {
-    Drawing(int width, int height);
-    DiscPainter discs;
-    Backdrop empty;                             // nothing but the background's colour
-    ColorTarget walls;                          // over that: drawn once for each view
-    Backdrop background;                        // the same again
+    Drawing(int width, int height, bool transparent);
+    ParticlePainter particles;
+    ColorTarget walls;                          // over the background's colour: drawn once for each view
+    Ground ground;                              // of pictures
+    std::optional<Ground> movie_ground;         // where that is transparent: a movie's
     std::optional<Sheet<ColorTarget>> picture;  // made when first asked for
     std::vector<Sheet<MovieTarget>> movie;      // two, drawn to and read in turn
   };
@@ -53,9 +60,10 @@ class GlRenderer final : public Renderer {
   // Brings what is to be shown up to the frame, with its numbers.
   void see(const Frame& frame);
   void draw_background();
+  void draw_walls(Ground& ground);
   void draw_changing_texts(const Frame& frame);
   template <class Target>
-  void draw_on(Sheet<Target>& sheet, const DiscOutput& output);
+  void draw_on(Sheet<Target>& sheet, PixelsFor use);
 
   Scene scene_;
   std::vector<glm::vec3> walls_;
@@ -63,8 +71,8 @@ class GlRenderer final : public Renderer {
   int height_;
   Palette palette_;
   bool transparent_;
-  DiscStyle fluid_style_;
-  DiscStyle wall_style_;
+  ParticleStyle fluid_style_;
+  ParticleStyle wall_style_;
   Overlay overlay_;
   CameraPath camera_;
   std::unique_ptr<EglContext> context_;
@@ -84,7 +92,7 @@ class GlRenderer final : public Renderer {
 
   std::size_t started_ = 0;  // movie pictures
   std::size_t finished_ = 0;
-  std::int64_t arranged_ = -1;  // number of the particles in the painter's bins
+  std::int64_t arranged_ = -1;  // number of the particles that the painter shows
 };
 
 }  // namespace weir

@@ -12,7 +12,8 @@ constexpr GLuint64 forever = ~GLuint64{0};  // ns
 
 }  // namespace
 
-StreamBuffer::Part::Part(GLenum format) : texture(make_buffer_texture(format, buffer.id())) {}
+StreamBuffer::Part::Part(GLenum format)
+    : texture(make_buffer_texture(format, buffer.id())), single(make_buffer_texture(GL_R32UI, buffer.id())) {}
 
 StreamBuffer::StreamBuffer(GLenum format) : parts_{Part(format), Part(format)} {}
 

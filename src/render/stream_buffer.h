@@ -28,12 +28,15 @@ class StreamBuffer {
   }
 
   GLuint texture() const { return parts_[turn_].texture.id(); }
+  // The same as texels of one whole number each.
+  GLuint single() const { return parts_[turn_].single.id(); }
 
  private:
   struct Part {
     explicit Part(GLenum format);
     GlBuffer buffer;
     GlTexture texture;
+    GlTexture single;
     std::size_t bytes = 0;
     GLsync read = nullptr;  // once the device has read it
   };

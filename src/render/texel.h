@@ -1,10 +1,10 @@
-// What the processor hands to the device of pixels that it has made itself.
+// What the processor hands to the device: pixels that it has made.
 #pragma once
 
 #include <array>
 #include <cstdint>
 
-#include "render/bins.h"
+#include "render/squares.h"
 
 namespace weir {
 
@@ -12,6 +12,7 @@ namespace weir {
 using Texel = std::array<std::uint32_t, block_width>;
 
 // A square's texels stand block by block: the upper row, then the lower.
-inline constexpr std::uint32_t square_texels = square_width * square_height / block_width;
+inline constexpr int block_texels = block_height;
+inline constexpr std::uint32_t square_texels = square_blocks * square_blocks * block_texels;
 
 }  // namespace weir

@@ -8,8 +8,8 @@
 
 #include "output/sink.h"
 #include "render/camera.h"
-#include "render/disc_painter.h"
 #include "render/egl_context.h"
+#include "render/particle_painter.h"
 #include "render/renderer.h"
 #include "stills.h"
 
@@ -41,12 +41,12 @@ void draw_png(benchmark::State& state) {
   for (auto _ : state) renderer->draw(still.frames[k++ % still.frames.size()], image);
 }
 
-// The processor's part: into pixels, into bins, into the device's memory.
+// The processor's part: into pixels, into the device's memory.
 void arrange(benchmark::State& state, Make make) {
   const Still still = make(state.range(0));
   const auto context = EglContext::open(device_choice(""));
   {
-    DiscPainter painter(picture_width, picture_height);
+    ParticlePainter painter(picture_width, picture_height);
     const CameraPath camera(still.scene, still.still_life, {0, 0, picture_width, picture_height});
     const Projection projection = camera.at(0);
     std::vector<std::uint8_t> stale;
@@ -60,9 +60,9 @@ void shade(benchmark::State& state, Make make) {
   const Still still = make(state.range(0));
   const auto context = EglContext::open(device_choice(""));
   {
-    DiscPainter painter(picture_width, picture_height);
+    ParticlePainter painter(picture_width, picture_height);
     const CameraPath camera(still.scene, still.still_life, {0, 0, picture_width, picture_height});
-    const DiscStyle style{0.5 * still.scene.particle_spacing, {0, 6}};
+    const ParticleStyle style{0.5 * still.scene.particle_spacing, {0, 6}};
     Backdrop background(picture_width, picture_height);
     background.fill(0xffffffff);
     MovieTarget target(picture_width, picture_height);
@@ -70,7 +70,7 @@ void shade(benchmark::State& state, Make make) {
     painter.arrange({}, camera.at(0), style, stale);
     painter.arrange(still.frames[0].particles, camera.at(0), style, stale);
     for (auto _ : state) {
-      painter.draw(target.framebuffer(), {.movie = true, .straight = false, .background = {}}, background);
+      painter.draw(target.framebuffer(), PixelsFor::movie, background);
       glFinish();
     }
   }

@@ -5,8 +5,8 @@
 
 #include "render/balls.h"
 #include "render/camera.h"
-#include "render/disc_painter.h"
 #include "render/egl_context.h"
+#include "render/particle_painter.h"
 #include "render/renderer.h"
 #include "stills.h"
 
@@ -74,7 +74,7 @@ void empty_blocks(benchmark::State& state, bool are_shaded) {
   const Still still = wave(particles);
   const auto context = EglContext::open(device_choice(""));
   {
-    DiscPainter painter(picture_width, picture_height);
+    ParticlePainter painter(picture_width, picture_height);
     const CameraPath camera(still.scene, still.still_life, {0, 0, picture_width, picture_height});
     Backdrop background(picture_width, picture_height);
     background.fill(0xffffffff);
@@ -84,7 +84,7 @@ void empty_blocks(benchmark::State& state, bool are_shaded) {
     for (auto _ : state) {
       if (are_shaded) stale.clear();  // the target may show anything
       painter.arrange(still.frames[0].particles, camera.at(0), {0.5 * still.scene.particle_spacing, {0, 6}}, stale);
-      painter.draw(target.framebuffer(), {.movie = true, .straight = false, .background = {}}, background);
+      painter.draw(target.framebuffer(), PixelsFor::movie, background);
       target.read(image);
     }
   }

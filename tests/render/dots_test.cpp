@@ -24,14 +24,7 @@ double part(double off, double spread) {
   return (1 - spread) * std::max(1 - std::abs(off), 0.0) + spread * 0.5 * std::clamp(1.5 - std::abs(off), 0.0, 1.0);
 }
 
-std::vector<std::uint32_t> pixels_of(Dots& dots) {
-  Bins bins(width, height);
-  dots.count(bins);
-  std::vector<std::uint8_t> stale;
-  std::vector<Texel> texels(bins.close(stale));
-  dots.take(bins, 1, texels.data());
-  return taken_pixels(bins, texels, width, height);
-}
+std::vector<std::uint32_t> pixels_of(Dots& dots) { return taken_pixels(dots, width, height); }
 
 // Against the formula in double precision: a share may be rounded to the other side, and a byte after it.
 TEST(Dots, AreWhatTheirFormulaSays) {

@@ -48,12 +48,7 @@ using Picture = std::vector<std::uint32_t>;  // 0xAABBGGRR
 Picture picture_of(const std::vector<glm::vec4>& particles, const View& view, int threads = 1) {
   Balls balls(width, height, threads);
   balls.show(particles, view.projection(), view.style(), colors());
-  Bins bins(width, height);
-  balls.count(bins);
-  std::vector<std::uint8_t> stale;
-  std::vector<Texel> texels(bins.close(stale));
-  balls.take(bins, 1, texels.data());
-  return taken_pixels(bins, texels, width, height);
+  return taken_pixels(balls, width, height);
 }
 
 std::vector<ScreenBall> seen(const std::vector<glm::vec4>& particles, const View& view) {
@@ -256,7 +251,7 @@ TEST(VisibleBalls, ThatAreNotFiniteAreSkipped) {
 
 // Registers of eight floats and of four.
 TEST(VisibleBalls, AreTheSamePixelsInAnyRegisters) {
-  if (!BallPixels::has_wide_registers()) GTEST_SKIP() << "this processor has no AVX2";
+  if (!has_wide_registers()) GTEST_SKIP() << "this processor has no AVX2";
   const View view{0.01, 430};
   const std::vector<ScreenBall> balls = seen(box(view, 20, 8, 0.3), view);
   const auto drawn = [&](bool wide_registers) {
@@ -264,15 +259,11 @@ TEST(VisibleBalls, AreTheSamePixelsInAnyRegisters) {
     pixels.begin(view.radius, view.focal, 4.3);
     for (const ScreenBall& ball : balls)
       if (ball.x > 0 && ball.x < width && ball.y > 0 && ball.y < height) pixels.add(ball);
-    Bins bins(width, height);
-    bins.reset(square_shift);
-    std::vector<std::uint8_t> filled(bins.size(), 0);
-    pixels.mark(filled, bins.columns());
-    for (std::size_t bin = 0; bin < bins.size(); ++bin)
-      if (filled[bin] != 0) bins.count(bin, square_texels);
+    Squares squares(width, height);
+    pixels.mark(squares);
     std::vector<std::uint8_t> stale;
-    std::vector<Texel> texels(bins.close(stale));
-    pixels.take(bins, 1, texels.data());
+    std::vector<Texel> texels(squares.close(stale));
+    pixels.take(squares, 1, texels.data());
     return texels;
   };
   EXPECT_TRUE(drawn(true) == drawn(false));

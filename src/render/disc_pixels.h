@@ -1,0 +1,63 @@
+// What the pixels of a picture show of flat discs: in each the two with the nearest centres, which hold all of it that discs
+// cover. Its colour is theirs, parted along the line between the two.
+//
+// The processor makes these pixels, whatever device then lays them over the background: it touches each disc once, where a
+// device that gathers them by blocks of pixels looks at each three times, and that device mostly is the processor as well.
+//
+// What decides are minima, so pixels do not depend on the order of the discs.
+#pragma once
+
+#include <cstdint>
+#include <cstdlib>
+#include <glm/glm.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "render/colormap.h"
+#include "render/eight.h"
+#include "render/particle_pixels.h"
+
+namespace weir {
+
+class DiscPixels final : public ParticlePixels {
+ public:
+  DiscPixels(int width, int height, bool wide_registers = has_wide_registers());  // pixels
+
+  // Adds discs of this radius, pixels: a particle times `scale` plus `offset` is the disc's place in the picture, pixels,
+  // then nothing, then the place of its colour (0xRRGGBB) in the map. What is not a number is left out.
+  void add(std::span<const glm::vec4> particles, const glm::vec4& scale, const glm::vec4& offset, double radius,
+           const Colormap& colors);
+
+  void mark(Squares& squares) const override;
+  // Nothing is left then.
+  void take(const Squares& squares, double opacity, Texel* texels) override;
+
+  // Of each pixel of a block the squared distances, pixels, to the two nearest centres, as bits of a float of which the
+  // lowest 8 are the disc's place in the colour map: so among equals the colour decides. 64 bytes, a line of the cache.
+  struct alignas(sizeof(EightWhole)) Block {
+    EightWhole nearest;
+    EightWhole second;
+  };
+  // What the loops over pixels work on; see .cpp.
+  struct Sheet;
+  struct Look;
+
+ private:
+  struct Free {
+    void operator()(Block* blocks) const { std::free(blocks); }
+  };
+  struct Loops;
+  static const Loops& loops(bool wide_registers);
+
+  const Loops& loops_;
+  int width_;
+  int height_;
+  int columns_;                            // squares
+  std::unique_ptr<Block[], Free> blocks_;  // square by square
+  std::vector<std::uint8_t> filled_;       // for each square what is known of it; see .cpp
+  double radius_ = 1;                      // pixels
+  Colormap colors_{};
+};
+
+}  // namespace weir
