@@ -37,6 +37,13 @@ void await_change(const std::atomic<int>& value, int old) {
 
 }  // namespace
 
+int processors() {
+  cpu_set_t allowed;
+  CPU_ZERO(&allowed);
+  if (sched_getaffinity(0, sizeof allowed, &allowed) == 0) return std::max(1, CPU_COUNT(&allowed));
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
 int thread_count(int requested) {
   if (requested > 0) return requested;
   if (const char* text = std::getenv("OMP_NUM_THREADS")) {
@@ -46,10 +53,7 @@ int thread_count(int requested) {
     const auto [end, error] = std::from_chars(view.data(), view.data() + view.size(), count);
     if (error == std::errc() && count > 0 && (end == view.data() + view.size() || *end == ',')) return count;
   }
-  cpu_set_t allowed;
-  CPU_ZERO(&allowed);
-  if (sched_getaffinity(0, sizeof allowed, &allowed) == 0) return std::max(1, CPU_COUNT(&allowed));
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return processors();
 }
 
 Team::Team(int threads) : shares_(static_cast<std::size_t>(std::max(threads, 1))) {

@@ -13,6 +13,9 @@
 
 namespace weir {
 
+// That this process may run on.
+int processors();
+
 // `requested` if positive, else OMP_NUM_THREADS, else the processors this process may run on. Results never depend on it.
 int thread_count(int requested);
 

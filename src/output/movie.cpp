@@ -35,6 +35,17 @@ void copy_plane(const std::vector<std::uint8_t>& from, int width, int height, st
   av_image_copy_plane(to, stride, from.data(), width, width, height);
 }
 
+// The frame shows this memory, which stays the owner's.
+void lend_plane(const std::vector<std::uint8_t>& from, int width, int plane, AVFrame& frame) {
+  auto* samples = const_cast<std::uint8_t*>(from.data());
+  av_buffer_unref(&frame.buf[plane]);
+  frame.buf[plane] = require(av_buffer_create(
+                                 samples, from.size(), [](void*, std::uint8_t*) {}, nullptr, AV_BUFFER_FLAG_READONLY),
+                             "hold a picture");
+  frame.data[plane] = samples;
+  frame.linesize[plane] = width;
+}
+
 class LibavSink final : public MovieSink {
  public:
   LibavSink(const std::filesystem::path& folder, const Scene& scene, const Provenance& provenance)
@@ -44,11 +55,12 @@ class LibavSink final : public MovieSink {
         part_(std::make_unique<PartMovie>(part_file(folder, scene), *encoder_, text_of(scene, provenance))),
         part_path_(part_file(folder, scene)),
         frame_(require(av_frame_alloc(), "hold a picture")),
+        lends_(name_ == "libx264"),
         packet_(require(av_packet_alloc(), "hold a packet")) {
     frame_->width = encoder_->width;
     frame_->height = encoder_->height;
     frame_->format = encoder_->pix_fmt;
-    require(av_frame_get_buffer(frame_.get(), 0), "hold a picture");
+    if (!lends_) require(av_frame_get_buffer(frame_.get(), 0), "hold a picture");
   }
 
   ~LibavSink() override {
@@ -67,10 +79,16 @@ class LibavSink final : public MovieSink {
       throw OutputError(fmt::format("cannot put a picture of {} x {} pixels into {}, which is {} x {}", image.width,
                                     image.height, movie_.string(), encoder_->width, encoder_->height));
     }
-    require(av_frame_make_writable(frame_.get()), "hold a picture");
-    copy_plane(image.y, image.width, image.height, frame_->data[0], frame_->linesize[0]);
-    copy_plane(image.cb, image.width / 2, image.height / 2, frame_->data[1], frame_->linesize[1]);
-    copy_plane(image.cr, image.width / 2, image.height / 2, frame_->data[2], frame_->linesize[2]);
+    if (lends_) {
+      lend_plane(image.y, image.width, 0, *frame_);
+      lend_plane(image.cb, image.width / 2, 1, *frame_);
+      lend_plane(image.cr, image.width / 2, 2, *frame_);
+    } else {
+      require(av_frame_make_writable(frame_.get()), "hold a picture");
+      copy_plane(image.y, image.width, image.height, frame_->data[0], frame_->linesize[0]);
+      copy_plane(image.cb, image.width / 2, image.height / 2, frame_->data[1], frame_->linesize[1]);
+      copy_plane(image.cr, image.width / 2, image.height / 2, frame_->data[2], frame_->linesize[2]);
+    }
     frame_->pts = next_++;
     encode(frame_.get());
   }
@@ -112,6 +130,7 @@ class LibavSink final : public MovieSink {
   std::unique_ptr<PartMovie> part_;  // null once closed
   std::filesystem::path part_path_;
   Frame frame_;
+  bool lends_;  // libx264 copies what it is given before avcodec_send_frame() returns; others may look at it later
   Packet packet_;
   std::int64_t next_ = 0;  // number of the next picture
 };

@@ -47,12 +47,12 @@ void clear(Image& image, const IntBox& box) {
 
 }  // namespace
 
-GlRenderer::Drawing::Drawing(int width, int height, bool transparent)
-    : particles(width, height), walls(width, height), ground(width, height) {
+GlRenderer::Drawing::Drawing(int width, int height, bool transparent, int threads)
+    : particles(width, height, threads), walls(width, height), ground(width, height) {
   if (transparent) movie_ground.emplace(width, height);
 }
 
-GlRenderer::GlRenderer(const Scene& scene, const StillLife& still_life, const DeviceChoice& choice)
+GlRenderer::GlRenderer(const Scene& scene, const StillLife& still_life, const DeviceChoice& choice, int threads)
     : scene_(scene),
       walls_(still_life.walls),
       width_(scene.render.size[0]),
@@ -71,7 +71,7 @@ GlRenderer::GlRenderer(const Scene& scene, const StillLife& still_life, const De
   changing_ = on_blocks(overlay_.changing_boxes(), padded, height_);
   boxes_ = fixed_;
   boxes_.insert(boxes_.end(), changing_.begin(), changing_.end());
-  drawing_.emplace(width_, height_, transparent_);
+  drawing_.emplace(width_, height_, transparent_, threads);
   drawing_->ground.empty.fill(packed(transparent_ ? Rgb{} : palette_.background, transparent_ ? 0 : 255));
   if (transparent_) drawing_->movie_ground->empty.fill(packed(palette_.background, 255));
   layer_ = {padded, height_, std::vector<std::uint8_t>(std::size_t{4} * padded * height_)};

@@ -18,7 +18,7 @@ namespace weir {
 
 class GlRenderer final : public Renderer {
  public:
-  GlRenderer(const Scene& scene, const StillLife& still_life, const DeviceChoice& choice);
+  GlRenderer(const Scene& scene, const StillLife& still_life, const DeviceChoice& choice, int threads);
   ~GlRenderer() override;
 
   void draw(const Frame& frame, Image& image) override;
@@ -48,7 +48,7 @@ class GlRenderer final : public Renderer {
 
   // Everything that lives in the context, so that it can go before the context does.
   struct Drawing {
-    Drawing(int width, int height, bool transparent);
+    Drawing(int width, int height, bool transparent, int threads);
     ParticlePainter particles;
     ColorTarget walls;                          // over the background's colour: drawn once for each view
     Ground ground;                              // of pictures

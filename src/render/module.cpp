@@ -5,8 +5,8 @@
 #include "render/gl_renderer.h"
 
 extern "C" weir::Renderer* weir_make_renderer(const weir::Scene& scene, const weir::StillLife& still_life,
-                                              const weir::DeviceChoice& choice) {
-  return new weir::GlRenderer(scene, still_life, choice);
+                                              const weir::DeviceChoice& choice, int threads) {
+  return new weir::GlRenderer(scene, still_life, choice, threads);
 }
 
 extern "C" void weir_list_devices(std::vector<weir::DeviceTrial>& devices) { devices = weir::EglContext::try_all(); }

@@ -15,11 +15,11 @@ void set(GLuint program, const char* name, int a) {
 
 }  // namespace
 
-ParticlePainter::ParticlePainter(int width, int height)
+ParticlePainter::ParticlePainter(int width, int height, int threads)
     : squares_(width, height),
       discs_(width, height),
       dots_(width, height),
-      balls_(width, height, thread_count(0)),
+      balls_(width, height, thread_count(threads)),
       texels_(GL_RGBA32UI),
       first_texels_(GL_R32UI),
       to_draw_(GL_R32UI) {}

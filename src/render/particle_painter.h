@@ -43,7 +43,7 @@ enum class PixelsFor {
 
 class ParticlePainter {
  public:
-  ParticlePainter(int width, int height);
+  ParticlePainter(int width, int height, int threads = 0);  // as for thread_count()
 
   // Takes in what draw() shows from now on. `stale` says for each square whether the target that is drawn to next shows
   // something else than the background there; empty for a target that shows anything.

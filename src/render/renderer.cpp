@@ -30,9 +30,14 @@ DeviceChoice device_choice(const std::string& requested) {
   return {};
 }
 
-std::unique_ptr<Renderer> make_renderer(const Scene& scene, const StillLife& still_life, const DeviceChoice& choice) {
-  using Make = Renderer*(const Scene&, const StillLife&, const DeviceChoice&);
-  return std::unique_ptr<Renderer>(render_function<Make>("weir_make_renderer")(scene, still_life, choice));
+std::unique_ptr<Renderer> make_renderer(const Scene& scene, const StillLife& still_life, const DeviceChoice& choice,
+                                        int threads) {
+  using Make = Renderer*(const Scene&, const StillLife&, const DeviceChoice&, int);
+  return std::unique_ptr<Renderer>(render_function<Make>("weir_make_renderer")(scene, still_life, choice, threads));
+}
+
+void draw_on_calling_thread() {
+  setenv("LP_NUM_THREADS", "0", 0);  // NOLINT(concurrency-mt-unsafe)
 }
 
 std::vector<DeviceTrial> list_devices() {

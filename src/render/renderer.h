@@ -44,8 +44,13 @@ struct DeviceChoice {
 };
 DeviceChoice device_choice(const std::string& requested);  // `requested`, else WEIR_GL_DEVICE, else auto
 
-// Loads the module. Throws DeviceError with every display and device tried.
-std::unique_ptr<Renderer> make_renderer(const Scene& scene, const StillLife& still_life, const DeviceChoice& choice);
+// Loads the module. `threads` of the processor make pixels, as for thread_count(). Throws DeviceError with every display and
+// device tried.
+std::unique_ptr<Renderer> make_renderer(const Scene& scene, const StillLife& still_life, const DeviceChoice& choice,
+                                        int threads = 0);
+// Devices that are the processor use the calling thread alone from now on: who has other work for the rest knows then what
+// drawing takes. To be called before there are threads that read the environment; what that says already stays.
+void draw_on_calling_thread();
 std::vector<DeviceTrial> list_devices();
 
 // The colour range that pictures of this scene use, in the unit of the quantity (fixed, or estimated from the scene).

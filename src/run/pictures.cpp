@@ -8,11 +8,35 @@
 
 namespace weir {
 
+// A thread works for a stage until the end of the block.
+class Pictures::AtWork {
+ public:
+  // `name` is the span's, and must live for ever.
+  AtWork(Pictures& pictures, double PictureTimes::*stage, const char* name)
+      : pictures_(pictures), stage_(stage), span_(name) {
+    ++pictures_.at_work_;
+  }
+  ~AtWork() {
+    --pictures_.at_work_;
+    const std::lock_guard lock(pictures_.mutex_);
+    pictures_.times_.*stage_ += watch_.seconds();
+  }
+  AtWork(const AtWork&) = delete;
+  AtWork& operator=(const AtWork&) = delete;
+
+ private:
+  Pictures& pictures_;
+  double PictureTimes::*stage_;
+  Stopwatch watch_;
+  Span span_;
+};
+
 Pictures::Pictures(const Scene& scene, const StillLife& still_life, const DeviceChoice& device) : scene_(scene) {
   for (const double time : scene.output.stills) stills_.push_back(frame_at(scene, time));
   std::sort(stills_.begin(), stills_.end());
   for (int i = 0; i < frame_buffers; ++i) free_frames_.push(Frame{});
 
+  draw_on_calling_thread();
   std::promise<std::string> ready;
   std::future<std::string> made = ready.get_future();
   drawing_ = std::thread([this, &still_life, &device, promise = std::move(ready)]() mutable {
@@ -80,7 +104,7 @@ void Pictures::draw_frames(const StillLife& still_life, const DeviceChoice& devi
   std::unique_ptr<Renderer> renderer;
   try {
     const Span span("start device");
-    renderer = make_renderer(scene_, still_life, device);
+    renderer = make_renderer(scene_, still_life, device, 1);
     ready.set_value(renderer->gl_renderer());
   } catch (...) {
     ready.set_exception(std::current_exception());
@@ -115,44 +139,29 @@ void Pictures::draw_one(Renderer& renderer, const Frame& frame) {
 // The device draws a picture while the last one is read; but with no frame waiting, nothing is held back.
 void Pictures::draw_movie(Renderer& renderer, const Frame& frame) {
   MovieImage image = *free_movie_images_.pop();  // before it is drawn, so that the encoder holds up the solver
-  const Stopwatch watch;
   {
-    const Span span("arrange");
+    const AtWork work(*this, &PictureTimes::render, "draw");
     renderer.start(frame);
   }
   under_way_.push_back(std::move(image));
-  {
-    const std::lock_guard lock(mutex_);
-    times_.render += watch.seconds();
-  }
   while (under_way_.size() > (frames_.empty() ? 0U : 1U)) pass_on_movie(renderer);
 }
 
 void Pictures::pass_on_movie(Renderer& renderer) {
   MovieImage image = std::move(under_way_.front());
   under_way_.pop_front();
-  const Stopwatch watch;
   {
-    const Span span("shade and read");
+    const AtWork work(*this, &PictureTimes::render, "read");
     renderer.finish(image);
-  }
-  {
-    const std::lock_guard lock(mutex_);
-    times_.render += watch.seconds();
   }
   movie_images_.push(std::move(image));
 }
 
 void Pictures::draw_png(Renderer& renderer, const Frame& frame) {
   std::unique_ptr<Image> image = std::move(*free_images_.pop());
-  const Stopwatch watch;
   {
-    const Span span("draw");
+    const AtWork work(*this, &PictureTimes::render, "draw");
     renderer.draw(frame, *image);
-  }
-  {
-    const std::lock_guard lock(mutex_);
-    times_.render += watch.seconds();
   }
   const SharedImage shared(image.release(), [this](const Image* done) {
     free_images_.push(std::unique_ptr<Image>(const_cast<Image*>(done)));  // ours alone again
@@ -166,31 +175,21 @@ void Pictures::draw_png(Renderer& renderer, const Frame& frame) {
 void Pictures::encode_movie() {
   Trace::name_thread("encoding");
   bool broken = false;
-  double seconds = 0;
-  const auto attempt = [&](auto work) {
+  const auto attempt = [&](const char* name, auto work) {
     if (broken) return;
-    const Stopwatch watch;
+    const AtWork at_work(*this, &PictureTimes::encode, name);
     try {
       work();
     } catch (...) {
       fail(std::current_exception());
       broken = true;
     }
-    seconds += watch.seconds();
   };
   while (std::optional<MovieImage> image = movie_images_.pop()) {
-    attempt([&] {
-      const Span span("encode");
-      movie_->write(*image);
-    });
+    attempt("encode", [&] { movie_->write(*image); });
     free_movie_images_.push(std::move(*image));
   }
-  attempt([&] {
-    const Span span("finish movie");
-    movie_->finish();
-  });
-  const std::lock_guard lock(mutex_);
-  times_.encode += seconds;
+  attempt("finish movie", [&] { movie_->finish(); });
 }
 
 void Pictures::write_pngs(int worker) {
@@ -198,16 +197,13 @@ void Pictures::write_pngs(int worker) {
   static constexpr std::array<const char*, most_png_workers> names = {"png 1", "png 2", "png 3", "png 4"};
   Trace::name_thread(names[worker]);
   while (const std::optional<PngJob> job = png_jobs_.pop()) {
-    const Stopwatch watch;
-    const Span span("write PNG");
+    const AtWork work(*this, &PictureTimes::write, "write PNG");
     try {
       // Once a stage has failed the run is over; what is queued would only delay its end.
       if (!failed_) write_png(job->file, *job->image, scene_.render.transparent, provenance_, job->time);
     } catch (...) {
       fail(std::current_exception());
     }
-    const std::lock_guard lock(mutex_);
-    times_.write += watch.seconds();
   }
 }
 

@@ -1,5 +1,7 @@
 // Drawing and encoding beside the solver: one thread draws (and owns the GL context), one encodes the movie, some
-// compress PNG files. Frames and images are recycled buffers of fixed number, so a slow stage holds up those before it.
+// compress PNG files. What each takes of the machine is known while it works, so that the solver can leave it that much: a
+// loop whose threads share their processors with others waits for the slowest.
+// Frames and images are recycled buffers of fixed number, so a slow stage holds up those before it.
 //
 // A stage that fails keeps emptying its queue without working, so nobody waits for it in vain, and the others finish
 // what they have; the first error reaches the caller in finish().
@@ -52,6 +54,8 @@ class Pictures {
   void add(Simulation& simulation);
   // A stage has failed: no picture will be added to what is there.
   bool failed() const { return failed_; }
+  // How many threads draw, encode or compress at this moment.
+  int at_work() const { return at_work_; }
   // Waits until everything is drawn and written. Throws the first error of any stage.
   void finish();
 
@@ -61,6 +65,7 @@ class Pictures {
   PictureTimes times() const { return times_; }  // after finish()
 
  private:
+  class AtWork;
   using SharedImage = std::shared_ptr<const Image>;  // a frame's file and its still are one picture
   struct PngJob {
     SharedImage image;
@@ -100,6 +105,7 @@ class Pictures {
   Queue<MovieImage> movie_images_;
   Queue<PngJob> png_jobs_;
 
+  std::atomic<int> at_work_ = 0;
   std::atomic<bool> failed_ = false;
   std::mutex mutex_;  // of the next two
   std::exception_ptr error_;

@@ -81,6 +81,7 @@ class Session {
   std::string scene_text_;
   Provenance provenance_;
   int threads_;
+  int processors_ = processors();
   Stopwatch since_start_;
   double setup_seconds_ = 0;
   double log_seconds_ = 0;
@@ -172,6 +173,7 @@ void Session::step_through() {
       note(ExitCode::stopped, fmt::format("{} at {:.6g} s of {:.6g} s", reason, simulation_->time(), scene_.duration));
       return;
     }
+    if (pictures_) simulation_->use_threads(std::clamp(processors_ - pictures_->at_work(), 1, threads_));
     simulation_->step();
   }
 }

@@ -38,7 +38,7 @@ class Simulation {
   // k if run time is exactly k / fps, else -1.
   virtual std::int64_t frame_index() const = 0;
 
-  // From the next step on, at most so many of the threads that it was made with; for studies of speed.
+  // From the next step on, at most so many of the threads that it was made with. Results never depend on it.
   virtual void use_threads(int most) = 0;
 
   virtual std::int64_t fluid_particles() const = 0;

@@ -45,7 +45,10 @@ class FakeSimulation final : public Simulation {
   double simulated_time() const override { return time(); }
   std::int64_t steps() const override { return step_; }
   std::int64_t frame_index() const override { return step_ % steps_per_frame == 0 ? step_ / steps_per_frame : -1; }
-  void use_threads(int) override {}
+  void use_threads(int most) override {
+    const std::lock_guard lock(record_mutex);
+    record_now.solver_threads.insert(most);
+  }
   std::int64_t fluid_particles() const override { return 1; }
   std::int64_t wall_particles() const override { return 0; }
   void fill(Frame& frame) override {
@@ -144,12 +147,14 @@ std::unique_ptr<Simulation> make_simulation(const Scene& scene, int /*threads*/,
 }
 
 std::unique_ptr<Renderer> make_renderer(const Scene& /*scene*/, const StillLife& /*still_life*/,
-                                        const DeviceChoice& /*choice*/) {
+                                        const DeviceChoice& /*choice*/, int /*threads*/) {
   if (behaviour_now.no_device) throw DeviceError("no device on purpose");
   return std::make_unique<FakeRenderer>();
 }
 
 std::array<double, 2> color_range(const Scene& /*scene*/, const StillLife& /*still_life*/) { return {0, 1}; }
+
+void draw_on_calling_thread() {}
 
 void load_movies() {}
 
