@@ -96,7 +96,7 @@ class LibavSink final : public MovieSink {
   void finish() override {
     close_part();
     if (next_ == 0) return;
-    remux_faststart(part_path_, movie_, *encoder_);
+    remux_faststart(part_path_, movie_, *encoder_, next_);
     std::error_code ignored;  // a part file too many does no harm
     std::filesystem::remove(part_path_, ignored);
   }

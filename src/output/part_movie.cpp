@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstring>
 #include <utility>
 
 #include "core/error.h"
@@ -12,6 +13,18 @@ namespace weir::av {
 namespace {
 
 constexpr int buffer_bytes = 64 * 1024;
+
+// More than an index takes but for its texts; and of a picture: its size, its place, and that it is a key frame.
+constexpr std::int64_t index_bytes = 4096;
+constexpr std::int64_t index_bytes_a_picture = 32;
+
+std::int64_t bytes_of_texts(const AVDictionary* metadata) {
+  std::int64_t bytes = 0;
+  const AVDictionaryEntry* text = nullptr;
+  while ((text = av_dict_get(metadata, "", text, AV_DICT_IGNORE_SUFFIX)) != nullptr)
+    bytes += static_cast<std::int64_t>(std::strlen(text->value));
+  return bytes;
+}
 
 int collect(void* pending, std::uint8_t* bytes, int count) {
   static_cast<std::string*>(pending)->append(reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(count));
@@ -89,7 +102,8 @@ struct CloseOutput {
   }
 };
 
-void copy_movie(const std::filesystem::path& from, const std::filesystem::path& to, const AVCodecContext& encoder) {
+void copy_movie(const std::filesystem::path& from, const std::filesystem::path& to, const AVCodecContext& encoder,
+                std::int64_t pictures) {
   const std::string reading = "read " + from.string();
   const std::string writing = "write " + to.string();
   const Input input = open_container(from);
@@ -109,7 +123,9 @@ void copy_movie(const std::filesystem::path& from, const std::filesystem::path& 
   target->avg_frame_rate = encoder.framerate;
   require(av_dict_copy(&output->metadata, input->metadata, 0), writing);
   AVDictionary* options = nullptr;
-  av_dict_set(&options, "movflags", "faststart", 0);
+  // Room for the index in front of the pictures; libav's own way there writes all pictures a second time.
+  const std::int64_t index = index_bytes + index_bytes_a_picture * pictures + bytes_of_texts(output->metadata);
+  av_dict_set_int(&options, "moov_size", index, 0);
   const int header = avformat_write_header(output.get(), &options);
   av_dict_free(&options);
   require(header, writing);
@@ -130,11 +146,11 @@ void copy_movie(const std::filesystem::path& from, const std::filesystem::path& 
 
 }  // namespace
 
-void remux_faststart(const std::filesystem::path& from, const std::filesystem::path& to,
-                     const AVCodecContext& encoder) {
+void remux_faststart(const std::filesystem::path& from, const std::filesystem::path& to, const AVCodecContext& encoder,
+                     std::int64_t pictures) {
   const std::filesystem::path temporary = temporary_of(to);
   try {
-    copy_movie(from, temporary, encoder);
+    copy_movie(from, temporary, encoder, pictures);
     std::filesystem::rename(temporary, to);
   } catch (...) {
     std::error_code ignored;

@@ -41,8 +41,9 @@ class PartMovie {
   bool broken_ = false;
 };
 
-// `from`, the file of a PartMovie with this encoder's packets, becomes `to` with one index in front of the pictures. Throws
-// OutputError; then `to` is as it was.
-void remux_faststart(const std::filesystem::path& from, const std::filesystem::path& to, const AVCodecContext& encoder);
+// `from`, the file of a PartMovie with so many packets of this encoder, becomes `to` with one index in front of the pictures.
+// Throws OutputError; then `to` is as it was.
+void remux_faststart(const std::filesystem::path& from, const std::filesystem::path& to, const AVCodecContext& encoder,
+                     std::int64_t pictures);
 
 }  // namespace weir::av
