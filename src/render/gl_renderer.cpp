@@ -48,8 +48,8 @@ void clear(Image& image, const IntBox& box) {
 }  // namespace
 
 GlRenderer::Drawing::Drawing(int width, int height, bool transparent, int threads)
-    : particles(width, height, threads), walls(width, height), ground(width, height) {
-  if (transparent) movie_ground.emplace(width, height);
+    : particles(width, height, threads), background(width, height), walls(width, height) {
+  if (transparent) movie_background.emplace(width, height);
 }
 
 GlRenderer::GlRenderer(const Scene& scene, const StillLife& still_life, const DeviceChoice& choice, int threads)
@@ -72,8 +72,6 @@ GlRenderer::GlRenderer(const Scene& scene, const StillLife& still_life, const De
   boxes_ = fixed_;
   boxes_.insert(boxes_.end(), changing_.begin(), changing_.end());
   drawing_.emplace(width_, height_, transparent_, threads);
-  drawing_->ground.empty.fill(packed(transparent_ ? Rgb{} : palette_.background, transparent_ ? 0 : 255));
-  if (transparent_) drawing_->movie_ground->empty.fill(packed(palette_.background, 255));
   layer_ = {padded, height_, std::vector<std::uint8_t>(std::size_t{4} * padded * height_)};
 }
 
@@ -114,14 +112,16 @@ void GlRenderer::draw_background() {
       if (!projection_.perspective || !hides_inside(scene_, Vec3(wall), projection_.eye)) seen.emplace_back(wall, 0.0f);
   std::vector<std::uint8_t> stale;
   drawing_->particles.arrange(seen, projection_, wall_style_, stale);
-  draw_walls(drawing_->ground);
-  if (drawing_->movie_ground) draw_walls(*drawing_->movie_ground);
+  const std::uint32_t opaque = packed(palette_.background, 255);
+  draw_walls(transparent_ ? packed(Rgb{}, 0) : opaque, drawing_->background);
+  if (drawing_->movie_background) draw_walls(opaque, *drawing_->movie_background);
   arranged_ = -1;
 }
 
-void GlRenderer::draw_walls(Ground& ground) {
-  drawing_->particles.draw(drawing_->walls.framebuffer(), PixelsFor::backdrop, ground.empty);
-  ground.background.take(drawing_->walls);
+void GlRenderer::draw_walls(std::uint32_t color, Backdrop& background) {
+  background.fill(color);
+  drawing_->particles.draw(drawing_->walls.framebuffer(), PixelsFor::backdrop, background);
+  background.take(drawing_->walls);
 }
 
 void GlRenderer::draw_changing_texts(const Frame& frame) {
@@ -143,8 +143,8 @@ void GlRenderer::draw_on(Sheet<Target>& sheet, PixelsFor use) {
   if (!same_texts)
     for (const IntBox& box : same_view ? changing_ : boxes_) sheet.layer.upload(layer_, box);
   const GLuint target = sheet.target.framebuffer();
-  const bool opaque = use == PixelsFor::movie && drawing_->movie_ground;
-  const Backdrop& background = (opaque ? *drawing_->movie_ground : drawing_->ground).background;
+  const bool opaque = use == PixelsFor::movie && drawing_->movie_background;
+  const Backdrop& background = opaque ? *drawing_->movie_background : drawing_->background;
   if (!same_particles) drawing_->particles.draw(target, use, background);
   drawing_->particles.draw(target, use, background, sheet.layer, same_particles ? changing_ : boxes_);
   sheet.view = view_;
@@ -162,21 +162,23 @@ void GlRenderer::draw(const Frame& frame, Image& image) {
 }
 
 void GlRenderer::start(const Frame& frame) {
-  if (started_ - finished_ == movie_sheets) throw DeviceError("more pictures begun than can be under way");
+  if (under_way_.size() == movie_sheets) throw DeviceError("more pictures begun than can be under way");
   context_->make_current();
   see(frame);
-  while (drawing_->movie.size() < movie_sheets) drawing_->movie.emplace_back(width_, height_);
-  draw_on(drawing_->movie[started_ % movie_sheets], PixelsFor::movie);
+  // The same one again if that is free: its memory is in the caches, where the processor is the device.
+  const std::size_t sheet = under_way_.empty() ? 0 : 1 - under_way_.front();
+  if (sheet == drawing_->movie.size()) drawing_->movie.emplace_back(width_, height_);
+  draw_on(drawing_->movie[sheet], PixelsFor::movie);
   glFlush();  // the device may begin
-  ++started_;
+  under_way_.push_back(sheet);
 }
 
 void GlRenderer::finish(MovieImage& image) {
-  if (started_ == finished_) throw DeviceError("no picture has been begun");
+  if (under_way_.empty()) throw DeviceError("no picture has been begun");
   context_->make_current();
-  drawing_->movie[finished_ % movie_sheets].target.read(image);
+  drawing_->movie[under_way_.front()].target.read(image);
   check_drawn();
-  ++finished_;
+  under_way_.pop_front();
 }
 
 }  // namespace weir

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -39,28 +40,21 @@ class GlRenderer final : public Renderer {
     std::vector<std::uint8_t> stale;  // squares that show more than the background
   };
 
-  // What particles are drawn over.
-  struct Ground {
-    Ground(int width, int height) : empty(width, height), background(width, height) {}
-    Backdrop empty;       // nothing but the background's colour
-    Backdrop background;  // with walls
-  };
-
   // Everything that lives in the context, so that it can go before the context does.
   struct Drawing {
     Drawing(int width, int height, bool transparent, int threads);
     ParticlePainter particles;
-    ColorTarget walls;                          // over the background's colour: drawn once for each view
-    Ground ground;                              // of pictures
-    std::optional<Ground> movie_ground;         // where that is transparent: a movie's
+    Backdrop background;                        // colour and walls: drawn once for each view
+    std::optional<Backdrop> movie_background;   // where that is transparent: a movie's
+    ColorTarget walls;                          // on the way there
     std::optional<Sheet<ColorTarget>> picture;  // made when first asked for
-    std::vector<Sheet<MovieTarget>> movie;      // two, drawn to and read in turn
+    std::vector<Sheet<MovieTarget>> movie;      // one, or two if one is begun before the last is read
   };
 
   // Brings what is to be shown up to the frame, with its numbers.
   void see(const Frame& frame);
   void draw_background();
-  void draw_walls(Ground& ground);
+  void draw_walls(std::uint32_t color, Backdrop& background);
   void draw_changing_texts(const Frame& frame);
   template <class Target>
   void draw_on(Sheet<Target>& sheet, PixelsFor use);
@@ -90,9 +84,8 @@ class GlRenderer final : public Renderer {
   std::vector<IntBox> changing_;
   std::vector<IntBox> boxes_;  // both
 
-  std::size_t started_ = 0;  // movie pictures
-  std::size_t finished_ = 0;
-  std::int64_t arranged_ = -1;  // number of the particles that the painter shows
+  std::deque<std::size_t> under_way_;  // movie sheets, begun and not yet read
+  std::int64_t arranged_ = -1;         // number of the particles that the painter shows
 };
 
 }  // namespace weir

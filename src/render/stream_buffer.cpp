@@ -22,8 +22,10 @@ StreamBuffer::~StreamBuffer() {
 }
 
 void* StreamBuffer::map(std::size_t bytes) {
-  parts_[turn_].read = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-  turn_ = 1 - turn_;
+  // All that has been asked of the device, as far as it concerns this part.
+  GLsync& last = parts_[turn_].read;
+  last = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  if (glClientWaitSync(last, GL_SYNC_FLUSH_COMMANDS_BIT, 0) == GL_TIMEOUT_EXPIRED) turn_ = 1 - turn_;
   Part& part = parts_[turn_];
   if (part.read != nullptr) {
     glClientWaitSync(part.read, GL_SYNC_FLUSH_COMMANDS_BIT, forever);

@@ -1,5 +1,5 @@
-// Texels that the processor writes anew for each picture. Two buffers in turn, so that one can be filled while the device
-// still reads the other; they only grow, for fresh memory costs a page fault every few kilobytes.
+// Texels that the processor writes anew for each picture. Two buffers, so that one can be filled while the device still reads
+// the other; the same again if it does not. They only grow, for fresh memory costs a page fault every few kilobytes.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ class StreamBuffer {
   StreamBuffer& operator=(const StreamBuffer&) = delete;
 
   // Memory for so many bytes, to be written only; what was there is lost. Waits until the device has drawn what it had been
-  // given before the last call. Throws DeviceError.
+  // given before the last call, if that was elsewhere. Throws DeviceError.
   void* map(std::size_t bytes);
   void unmap();
   template <class Item>

@@ -118,7 +118,7 @@ void Pictures::draw_frames(const StillLife& still_life, const DeviceChoice& devi
       fail(std::current_exception());
       broken = true;
     }
-    free_frames_.push(std::move(*frame));
+    free_frames_.put_back(std::move(*frame));
   }
   try {
     while (!under_way_.empty()) pass_on_movie(*renderer);
@@ -164,7 +164,7 @@ void Pictures::draw_png(Renderer& renderer, const Frame& frame) {
     renderer.draw(frame, *image);
   }
   const SharedImage shared(image.release(), [this](const Image* done) {
-    free_images_.push(std::unique_ptr<Image>(const_cast<Image*>(done)));  // ours alone again
+    free_images_.put_back(std::unique_ptr<Image>(const_cast<Image*>(done)));  // ours alone again
   });
   if (scene_.output.frames) png_jobs_.push({shared, frame.time, folder_->frame_file(frame.index)});
   if (std::binary_search(stills_.begin(), stills_.end(), frame.index)) {
@@ -187,7 +187,7 @@ void Pictures::encode_movie() {
   };
   while (std::optional<MovieImage> image = movie_images_.pop()) {
     attempt("encode", [&] { movie_->write(*image); });
-    free_movie_images_.push(std::move(*image));
+    free_movie_images_.put_back(std::move(*image));
   }
   attempt("finish movie", [&] { movie_->finish(); });
 }

@@ -22,6 +22,15 @@ class Queue {
     changed_.notify_one();
   }
 
+  // The next to be taken: of a pool the buffer that is most likely still in a cache.
+  void put_back(T item) {
+    {
+      const std::lock_guard lock(mutex_);
+      items_.push_front(std::move(item));
+    }
+    changed_.notify_one();
+  }
+
   // Waits for an item; none once the queue is closed and empty.
   std::optional<T> pop() {
     std::unique_lock lock(mutex_);

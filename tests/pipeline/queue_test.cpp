@@ -19,6 +19,16 @@ TEST(Queue, KeepsTheOrder) {
   EXPECT_EQ(queue.pop(), std::nullopt);
 }
 
+TEST(Queue, GivesWhatWasPutBackFirst) {
+  Queue<int> queue;
+  queue.push(1);
+  queue.push(2);
+  EXPECT_EQ(queue.pop(), 1);
+  queue.put_back(1);
+  EXPECT_EQ(queue.pop(), 1);
+  EXPECT_EQ(queue.pop(), 2);
+}
+
 TEST(Queue, WaitsForAnItem) {
   Queue<std::unique_ptr<int>> queue;
   std::thread producer([&] {
