@@ -53,10 +53,9 @@ void ParticlePainter::arrange(std::span<const glm::vec4> particles, const Projec
   const std::size_t texels = squares_.close(stale);
   first_texels_.write(squares_.first_texels());
   to_draw_.write(squares_.to_draw());
-  auto* to = static_cast<Texel*>(texels_.map(texels * sizeof(Texel)));
+  auto* to = static_cast<Texel*>(texels_.begin(texels * sizeof(Texel)));
   std::fill_n(to, square_texels, Texel{});  // where the texels of squares without pixels are
   pixels.take(squares_, style.opacity, to);
-  texels_.unmap();
 }
 
 const GlProgram& ParticlePainter::program(bool movie, bool overlay) {
@@ -102,6 +101,7 @@ void ParticlePainter::draw(GLuint framebuffer, PixelsFor use, const Backdrop& ba
   prepare(framebuffer, use, background, false);
   glEnable(GL_PROGRAM_POINT_SIZE);
   glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(squares_.to_draw().size()));
+  drawn();
 }
 
 void ParticlePainter::draw(GLuint framebuffer, PixelsFor use, const Backdrop& background, const ColorTarget& layer,
@@ -116,6 +116,11 @@ void ParticlePainter::draw(GLuint framebuffer, PixelsFor use, const Backdrop& ba
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   }
   glDisable(GL_SCISSOR_TEST);
+  drawn();
+}
+
+void ParticlePainter::drawn() {
+  for (StreamBuffer* buffer : {&texels_, &first_texels_, &to_draw_}) buffer->drawn();
 }
 
 }  // namespace weir

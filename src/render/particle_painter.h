@@ -59,6 +59,7 @@ class ParticlePainter {
                             const ParticleStyle& style);
   const GlProgram& program(bool movie, bool overlay);
   void prepare(GLuint framebuffer, PixelsFor use, const Backdrop& background, bool overlay);
+  void drawn();
 
   Squares squares_;
   DiscPixels discs_;

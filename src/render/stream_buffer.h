@@ -1,5 +1,6 @@
-// Texels that the processor writes anew for each picture. Two buffers, so that one can be filled while the device still reads
-// the other; the same again if it does not. They only grow, for fresh memory costs a page fault every few kilobytes.
+// Texels that the processor writes anew for each picture, straight into memory that the device reads. Two buffers, so that
+// one can be filled while the device still reads the other; the same again if it does not. They only grow, for fresh memory
+// costs a page fault every few kilobytes.
 #pragma once
 
 #include <array>
@@ -12,19 +13,19 @@ namespace weir {
 
 class StreamBuffer {
  public:
-  explicit StreamBuffer(GLenum format);
+  explicit StreamBuffer(GLenum format) : format_(format) {}
   ~StreamBuffer();
   StreamBuffer(const StreamBuffer&) = delete;
   StreamBuffer& operator=(const StreamBuffer&) = delete;
 
-  // Memory for so many bytes, to be written only; what was there is lost. Waits until the device has drawn what it had been
-  // given before the last call, if that was elsewhere. Throws DeviceError.
-  void* map(std::size_t bytes);
-  void unmap();
+  // Memory for so many bytes, to be written before the next drawing and not read; what was there is lost. Waits until the
+  // device has drawn what it had been given before the last call, if it still draws that. Throws DeviceError.
+  void* begin(std::size_t bytes);
+  // To be called after whatever draws from it.
+  void drawn();
   template <class Item>
   void write(std::span<const Item> items) {
-    std::memcpy(map(items.size_bytes()), items.data(), items.size_bytes());
-    unmap();
+    std::memcpy(begin(items.size_bytes()), items.data(), items.size_bytes());
   }
 
   GLuint texture() const { return parts_[turn_].texture.id(); }
@@ -33,14 +34,16 @@ class StreamBuffer {
 
  private:
   struct Part {
-    explicit Part(GLenum format);
     GlBuffer buffer;
-    GlTexture texture;
-    GlTexture single;
+    GlTexture texture{0};
+    GlTexture single{0};
     std::size_t bytes = 0;
-    GLsync read = nullptr;  // once the device has read it
+    void* memory = nullptr;
+    GLsync read = nullptr;  // after the last drawing from it; null: none since begin()
   };
+  void grow(Part& part, std::size_t bytes) const;
 
+  GLenum format_;
   std::array<Part, 2> parts_;
   std::size_t turn_ = 0;
 };
