@@ -355,7 +355,9 @@ void describe(V& v, Movie& movie) {
   v.field("encoder", movie.encoder,
           Spec{.meaning = "H.264 encoder by its libav name; auto: libx264, else what is there"});
   v.field("quality", movie.quality,
-          Spec{.meaning = "constant rate factor; 0 is the best, more is smaller", .unit = "1", .range = {0, 51}});
+          Spec{.meaning = "rate factor, for `ultrafast` a quantiser 5 above it; 0 is the best, more is smaller",
+               .unit = "1",
+               .range = {0, 51}});
   v.field("preset", movie.preset, Spec{.meaning = "speed preset of the encoder"});
 }
 

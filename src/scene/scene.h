@@ -205,7 +205,7 @@ struct Render {
 
 struct Movie {
   std::string encoder = "auto";      // libav's name; auto: libx264, else what is there
-  int quality = 20;                  // constant rate factor, 0 (the best that profile High can) .. 51
+  int quality = 20;                  // rate factor, 0 (the best that profile High can) .. 51
   std::string preset = "ultrafast";  // the encoder's speed preset
 };
 struct Log {
