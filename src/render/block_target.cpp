@@ -63,6 +63,10 @@ ColorTarget::ColorTarget(int width, int height)
   attach<2>(framebuffer_.id(), {even_.id(), odd_.id()}, width, height);
 }
 
+void ColorTarget::clear() {
+  for (const GLuint rows : {even_.id(), odd_.id()}) glClearTexImage(rows, 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, nullptr);
+}
+
 void ColorTarget::upload(const Image& image, const IntBox& box) {
   if (box.width() <= 0 || box.height() <= 0) return;
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);

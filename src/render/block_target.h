@@ -20,6 +20,8 @@ class ColorTarget {
   GLuint even_rows() const { return even_.id(); }
   GLuint odd_rows() const { return odd_.id(); }
 
+  // Nothing is in any pixel; until then, or until it is drawn, anything is.
+  void clear();
   // The blocks of `box`, whose sides lie between blocks, from an image as wide as whole blocks.
   void upload(const Image& image, const IntBox& box);
   void read(Image& image);  // waits until it is drawn

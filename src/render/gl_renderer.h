@@ -31,7 +31,7 @@ class GlRenderer final : public Renderer {
   // A target, and what it shows.
   template <class Target>
   struct Sheet {
-    Sheet(int width, int height) : target(width, height), layer(width, height) {}
+    Sheet(int width, int height) : target(width, height), layer(width, height) { layer.clear(); }
     Target target;
     ColorTarget layer;       // the overlay; one each, so that the next picture's need not wait for the last to be drawn
     std::int64_t view = -1;  // numbers of what is shown, see below
