@@ -205,27 +205,19 @@ void resolve_narrow(const Block& block, const Added* balls, float opacity, int l
   resolve_block(block, balls, opacity, left, top, texels);
 }
 
-#if defined(__x86_64__)
-__attribute__((target("avx2"))) bool add_wide(Block* blocks, const Seen& seen, std::int32_t number, int left, int top) {
+WEIR_WIDE bool add_wide(Block* blocks, const Seen& seen, std::int32_t number, int left, int top) {
   return add_to_blocks(blocks, seen, number, left, top);
 }
-__attribute__((target("avx2"))) void resolve_wide(const Block& block, const Added* balls, float opacity, int left,
-                                                  int top, Texel* texels) {
+WEIR_WIDE void resolve_wide(const Block& block, const Added* balls, float opacity, int left, int top, Texel* texels) {
   resolve_block(block, balls, opacity, left, top, texels);
 }
-#endif
 
 }  // namespace
 
 const BallPixels::Loops& BallPixels::loops(bool wide_registers) {
   static constexpr Loops narrow{add_narrow, resolve_narrow};
-#if defined(__x86_64__)
   static constexpr Loops wide{add_wide, resolve_wide};
-  if (wide_registers) return wide;
-#else
-  static_cast<void>(wide_registers);
-#endif
-  return narrow;
+  return wide_registers ? wide : narrow;
 }
 
 BallPixels::BallPixels(const PixelRange& pixels, bool wide_registers)

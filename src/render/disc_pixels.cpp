@@ -194,27 +194,19 @@ void add_narrow(const Sheet& sheet, std::span<const glm::vec4> particles, const 
 }
 void resolve_narrow(const Block* blocks, const Look& look, Texel* texels) { resolve_square(blocks, look, texels); }
 
-#if defined(__x86_64__)
-__attribute__((target("avx2"))) void add_wide(const Sheet& sheet, std::span<const glm::vec4> particles,
-                                              const ToPicture& view) {
+WEIR_WIDE void add_wide(const Sheet& sheet, std::span<const glm::vec4> particles, const ToPicture& view) {
   add_discs(sheet, particles, view);
 }
-__attribute__((target("avx2"))) void resolve_wide(const Block* blocks, const Look& look, Texel* texels) {
+WEIR_WIDE void resolve_wide(const Block* blocks, const Look& look, Texel* texels) {
   resolve_square(blocks, look, texels);
 }
-#endif
 
 }  // namespace
 
 const DiscPixels::Loops& DiscPixels::loops(bool wide_registers) {
   static constexpr Loops narrow{add_narrow, resolve_narrow};
-#if defined(__x86_64__)
   static constexpr Loops wide{add_wide, resolve_wide};
-  if (wide_registers) return wide;
-#else
-  static_cast<void>(wide_registers);
-#endif
-  return narrow;
+  return wide_registers ? wide : narrow;
 }
 
 DiscPixels::DiscPixels(int width, int height, bool wide_registers)

@@ -1,8 +1,8 @@
 // What the pixels of a picture show of flat discs: in each the two with the nearest centres, which hold all of it that discs
 // cover. Its colour is theirs, parted along the line between the two.
 //
-// The processor makes these pixels, whatever device then lays them over the background: it touches each disc once, where a
-// device that gathers them by blocks of pixels looks at each three times, and that device mostly is the processor as well.
+// The processor makes these pixels, whatever device then lays them over the background: a device that is the processor, too,
+// took a third longer to gather discs by blocks of pixels.
 //
 // What decides are minima, so pixels do not depend on the order of the discs.
 #pragma once

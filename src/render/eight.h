@@ -14,6 +14,13 @@
 #include "render/four.h"
 #include "simd/attributes.h"
 
+// For functions whose loops are built for AVX2, where there is such a thing.
+#if defined(__x86_64__)
+#define WEIR_WIDE __attribute__((target("avx2")))
+#else
+#define WEIR_WIDE
+#endif
+
 namespace weir {
 
 using Eight = float __attribute__((vector_size(32)));

@@ -102,6 +102,15 @@ TEST_F(Movie, HasItsIndexInFrontAndItsColoursInTheContainer) {
   EXPECT_NE(bytes.find(colr), std::string::npos);
 }
 
+// The most that a picture may take of it, for each is a key frame; and texts longer than all else.
+TEST_F(Movie, HasRoomForTheLongestIndex) {
+  Scene scene = movie_scene(32, 32, 1);
+  scene.title = std::string(20000, 'x');
+  const std::filesystem::path movie = write_numbered(scene, 400);
+  EXPECT_EQ(decode_movie(movie, {}).frames, 400);
+  EXPECT_TRUE(decode_movie(movie, {}).faststart);
+}
+
 TEST_F(Movie, HasAKeyFrameEverySecond) {
   const std::string bytes = content_of(write_numbered(movie_scene(64, 48, 10), 35));
   const std::size_t stss = bytes.find("stss");

@@ -16,15 +16,6 @@ namespace {
 constexpr int width = 90;  // neither whole squares nor whole blocks
 constexpr int height = 50;
 
-const Colormap& colors() {
-  static const Colormap made = [] {
-    Colormap map;
-    for (std::uint32_t k = 0; k < map.size(); ++k) map[k] = k << 16 | (255 - k) << 8 | (k * 37 & 0xff);
-    return map;
-  }();
-  return made;
-}
-
 // Places in pixels, in and around the picture, and places in the map.
 std::vector<glm::vec4> scattered(int count, double margin) {
   std::mt19937 random(5);
@@ -36,7 +27,7 @@ std::vector<glm::vec4> scattered(int count, double margin) {
 }
 
 std::vector<std::uint32_t> pixels_of(DiscPixels& discs, const std::vector<glm::vec4>& particles, double radius) {
-  discs.add(particles, glm::vec4(1), glm::vec4(0), radius, colors());
+  discs.add(particles, glm::vec4(1), glm::vec4(0), radius, distinct_colors());
   return taken_pixels(discs, width, height);
 }
 
@@ -62,7 +53,7 @@ Pixel looked_at(const std::vector<glm::vec4>& particles, double radius, int x, i
   }
   std::partial_sort(near.begin(), near.begin() + 3, near.end());
   const auto color = [&](int k) {
-    const std::uint32_t rgb = colors()[near[k].second];
+    const std::uint32_t rgb = distinct_colors()[near[k].second];
     return glm::dvec3(rgb >> 16, rgb >> 8 & 0xff, rgb & 0xff);
   };
   const double by_one = coverage(std::sqrt(near[0].first), radius);
@@ -130,7 +121,7 @@ TEST(DiscPixels, ThatAreNotFiniteAreLeftOut) {
 TEST(DiscPixels, MarkTheSquareWhoseChromaTakesFromThem) {
   DiscPixels discs(width, height);
   const auto marked = [&](float x) {
-    discs.add(std::vector{glm::vec4(x, 8, 0, 0)}, glm::vec4(1), glm::vec4(0), 2, colors());
+    discs.add(std::vector{glm::vec4(x, 8, 0, 0)}, glm::vec4(1), glm::vec4(0), 2, distinct_colors());
     Squares squares(width, height);
     discs.mark(squares);
     std::vector<std::uint8_t> stale;

@@ -28,8 +28,7 @@ std::vector<std::uint32_t> pixels_of(Dots& dots) { return taken_pixels(dots, wid
 
 // Against the formula in double precision: a share may be rounded to the other side, and a byte after it.
 TEST(Dots, AreWhatTheirFormulaSays) {
-  Colormap colors;
-  for (std::uint32_t k = 0; k < colors.size(); ++k) colors[k] = k << 16 | (255 - k) << 8 | (k * 37 & 0xff);
+  const Colormap& colors = distinct_colors();
   for (const double radius : {0.2, 0.45, 0.6, 0.9, 1.12}) {
     const double side = std::sqrt(std::numbers::pi) * radius;
     const double spread = std::max(0.0, 2 - 2 / side);

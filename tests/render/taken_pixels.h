@@ -4,9 +4,20 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/colormap.h"
 #include "render/particle_pixels.h"
 
 namespace weir {
+
+// A map of 256 different colours.
+inline const Colormap& distinct_colors() {
+  static const Colormap made = [] {
+    Colormap map;
+    for (std::uint32_t k = 0; k < map.size(); ++k) map[k] = k << 16 | (255 - k) << 8 | (k * 37 & 0xff);
+    return map;
+  }();
+  return made;
+}
 
 // 0xAABBGGRR, row by row; 0 where squares have nothing.
 inline std::vector<std::uint32_t> taken_pixels(const Squares& squares, const std::vector<Texel>& texels, int width,

@@ -34,20 +34,11 @@ struct View {
   BallStyle style() const { return {radius, {0, 255}}; }
 };
 
-const Colormap& colors() {
-  static const Colormap made = [] {
-    Colormap map;
-    for (std::uint32_t k = 0; k < map.size(); ++k) map[k] = k << 16 | (255 - k) << 8 | (k * 37 & 0xff);
-    return map;
-  }();
-  return made;
-}
-
 using Picture = std::vector<std::uint32_t>;  // 0xAABBGGRR
 
 Picture picture_of(const std::vector<glm::vec4>& particles, const View& view, int threads = 1) {
   Balls balls(width, height, threads);
-  balls.show(particles, view.projection(), view.style(), colors());
+  balls.show(particles, view.projection(), view.style(), distinct_colors());
   return taken_pixels(balls, width, height);
 }
 
@@ -58,7 +49,7 @@ std::vector<ScreenBall> seen(const std::vector<glm::vec4>& particles, const View
     const BallView::Seen at = in_fours.of(all(particle.x), all(particle.y), all(particle.z));
     if (!(at.depth[0] > in_fours.radius)) continue;
     const auto place = static_cast<std::size_t>(std::clamp(particle.w, 0.0f, 255.0f) + 0.5f);
-    balls.push_back({at.column[0], at.row[0], at.depth[0], colors()[place]});
+    balls.push_back({at.column[0], at.row[0], at.depth[0], distinct_colors()[place]});
   }
   return balls;
 }
@@ -208,7 +199,7 @@ TEST(VisibleBalls, AreTheSkinOfABox) {
     groups.push_back(group_of(std::span(balls).subspan(first, BallGroup::most), in_fours, width, height));
   BallPixels pixels({0, 0, width - 1, height - 1});
   pixels.begin(view.radius, view.focal, 2.4);
-  VisibleBalls().add_to(pixels, balls, groups, in_fours, colors());
+  VisibleBalls().add_to(pixels, balls, groups, in_fours, distinct_colors());
   EXPECT_GT(pixels.added(), 24U * 24);      // at least the front
   EXPECT_LT(pixels.added(), 7U * 24 * 24);  // of 24 layers about six, until no gap is left between balls out of line
 }
