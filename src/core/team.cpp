@@ -67,9 +67,15 @@ Team::~Team() {
   for (std::thread& helper : helpers_) helper.join();
 }
 
+void Team::give_way_to(const std::atomic<int>& others) {
+  others_ = &others;
+  processors_ = processors();
+}
+
 void Team::run(std::size_t count, Call call, const void* object) {
   const Span span(loop_span);
-  const std::size_t wanted = std::min({helpers_.size(), most_helpers_, count / turns_per_helper});
+  std::size_t wanted = std::min({helpers_.size(), most_helpers_, count / turns_per_helper});
+  if (others_ != nullptr) wanted = std::min(wanted, static_cast<std::size_t>(std::max(processors_ - *others_ - 1, 0)));
   if (wanted == 0) {
     for (std::size_t k = 0; k < count; ++k) call(object, k);
     return;

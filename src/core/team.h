@@ -33,6 +33,9 @@ class Team {
   // From the next loop on, at most so many threads work, the caller among them; the others sleep.
   void use_at_most(int threads) { most_helpers_ = static_cast<std::size_t>(std::max(threads - 1, 0)); }
 
+  // From the next loop on, as many processors as `others` says at its start are left to them. It must outlive the loops.
+  void give_way_to(const std::atomic<int>& others);
+
   // body(k) for each k of 0 .. count, once, in any order and on any thread; returns when all are done. The body must not
   // throw, and must not use this team.
   template <class Body>
@@ -63,6 +66,8 @@ class Team {
   std::atomic<int> inside_{0};  // helpers that are, or may be, at work on it
   std::atomic<int> loops_{0};   // counts up to wake helpers; int is what the kernel can wait on itself
   std::atomic<bool> ending_{false};
+  const std::atomic<int>* others_ = nullptr;
+  int processors_ = 0;
   std::size_t most_helpers_ = static_cast<std::size_t>(-1);
   std::vector<std::thread> helpers_;
 };

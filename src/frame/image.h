@@ -25,11 +25,14 @@ struct MovieImage {
   std::vector<std::uint8_t> y;   // width * height
   std::vector<std::uint8_t> cb;  // a quarter of that
   std::vector<std::uint8_t> cr;
+  // Of who drew this last, to know it again and draw only what has changed; 0: it may show anything.
+  std::int64_t known_as = 0;
 
   void resize(int new_width, int new_height) {
     width = new_width;
     height = new_height;
     const std::size_t pixels = static_cast<std::size_t>(width) * height;
+    if (y.size() != pixels) known_as = 0;
     y.resize(pixels);
     cb.resize(pixels / 4);
     cr.resize(pixels / 4);

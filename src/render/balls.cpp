@@ -38,12 +38,13 @@ void Balls::show(std::span<const glm::vec4> particles, const Projection& project
   });
 }
 
-void Balls::mark(Squares& squares) const {
+void Balls::mark(Squares& squares) {
   for (const Strip& strip : strips_) strip.pixels.mark(squares);
 }
 
-void Balls::take(const Squares& squares, double opacity, Texel* texels) {
+void Balls::take(const Squares& squares, double opacity, Texel* texels, const RowTaken& taken) {
   team_->for_each(strips_.size(), [&](std::size_t k) { strips_[k].pixels.take(squares, opacity, texels); });
+  for (int row = 0; row < squares.rows(); ++row) taken(row);
 }
 
 }  // namespace weir

@@ -31,8 +31,8 @@ class Balls final : public ParticlePixels {
   void show(std::span<const glm::vec4> particles, const Projection& projection, const BallStyle& style,
             const Colormap& colors);
 
-  void mark(Squares& squares) const override;
-  void take(const Squares& squares, double opacity, Texel* texels) override;
+  void mark(Squares& squares) override;
+  void take(const Squares& squares, double opacity, Texel* texels, const RowTaken& taken) override;
 
  private:
   struct Strip {

@@ -47,10 +47,10 @@ void read_plane(GLuint framebuffer, const Plane& plane, int rows, std::uint8_t* 
   glPixelStorei(GL_PACK_ROW_LENGTH, 0);
 }
 
-void copy_rows(const std::vector<std::uint8_t>& from, std::size_t from_stride, std::vector<std::uint8_t>& to,
-               std::size_t to_stride, int rows) {
+void copy_rows(const void* from, std::size_t from_stride, std::vector<std::uint8_t>& to, std::size_t to_stride,
+               int rows) {
   for (std::size_t row = 0; row < static_cast<std::size_t>(rows); ++row)
-    std::memcpy(&to[row * to_stride], &from[row * from_stride], to_stride);
+    std::memcpy(&to[row * to_stride], static_cast<const std::uint8_t*>(from) + row * from_stride, to_stride);
 }
 
 }  // namespace
@@ -82,15 +82,24 @@ void ColorTarget::read(Image& image) {
   image.width = width_;
   image.height = height_;
   image.rgba.resize(std::size_t{4} * width_ * height_);
-  const bool whole = padded(width_) == width_;
-  const std::size_t stride = std::size_t{4} * padded(width_);
-  if (!whole) rows_.resize(stride * height_);
-  std::uint8_t* to = whole ? image.rgba.data() : rows_.data();
+  if (padded(width_) == width_) {
+    read_rows(image.rgba.data());
+    return;
+  }
+  read(rows_);
+  copy_rows(rows_.data(), std::size_t{4} * padded(width_), image.rgba, std::size_t{4} * width_, height_);
+}
+
+void ColorTarget::read(std::vector<Texel>& rows) const {
+  rows.resize(static_cast<std::size_t>(blocks_across(width_)) * height_);
+  read_rows(reinterpret_cast<std::uint8_t*>(rows.data()));
+}
+
+void ColorTarget::read_rows(std::uint8_t* to) const {
   const int texels = blocks_across(width_);
   for (const int odd : {0, 1})
     read_plane(framebuffer_.id(), {odd, GL_RGBA_INTEGER, GL_UNSIGNED_INT, texels, 2 * texels}, height_ / 2,
-               to + odd * stride);
-  if (!whole) copy_rows(rows_, stride, image.rgba, std::size_t{4} * width_, height_);
+               to + odd * texels * sizeof(Texel));
 }
 
 Backdrop::Backdrop(int width, int height)
@@ -138,7 +147,7 @@ void MovieTarget::read(MovieImage& image) {
       part.attachment += pass;
       read_plane(framebuffer_.id(), part, rows, to + pass * stride);
     }
-    if (!whole) copy_rows(rows_, stride, samples, samples_a_row, rows * passes);
+    if (!whole) copy_rows(rows_.data(), stride, samples, samples_a_row, rows * passes);
   };
   const int rows = height_ / 2;
   read_samples({0, GL_RED_INTEGER, GL_UNSIGNED_INT, texels, 2 * texels}, 4, rows, 2, image.y, width_);

@@ -7,6 +7,7 @@
 #include "frame/image.h"
 #include "render/canvas.h"
 #include "render/gl_objects.h"
+#include "render/texel.h"
 
 namespace weir {
 
@@ -24,15 +25,19 @@ class ColorTarget {
   void clear();
   // The blocks of `box`, whose sides lie between blocks, from an image as wide as whole blocks.
   void upload(const Image& image, const IntBox& box);
-  void read(Image& image);  // waits until it is drawn
+  // These wait until it is drawn.
+  void read(Image& image);
+  void read(std::vector<Texel>& rows) const;  // whole blocks
 
  private:
+  void read_rows(std::uint8_t* to) const;
+
   int width_;
   int height_;
   GlTexture even_;
   GlTexture odd_;
   GlFramebuffer framebuffer_;
-  std::vector<std::uint8_t> rows_;  // of whole blocks, where the width is not
+  std::vector<Texel> rows_;  // where the width is not that of whole blocks
 };
 
 // What pictures are drawn over, as a buffer of the texels of ColorTarget, row by row: the software renderer reads such a

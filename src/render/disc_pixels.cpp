@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <new>
+#include <numeric>
 
 namespace weir {
 
@@ -13,19 +13,16 @@ constexpr float far = 1e38f;  // squared pixels
 constexpr std::int32_t place_bits = 255;
 // A disc's edge is spread over so many pixels to both sides.
 constexpr float half_edge = 2.0f / 3;
-// What is known of a square: its blocks hold something; it is to be drawn.
-constexpr std::uint8_t holds = 1;
-constexpr std::uint8_t shows = 2;
 constexpr int blocks_a_square = square_blocks * square_blocks;
 
 }  // namespace
 
-// Where the loop over discs writes.
+// Where the loop over discs writes: a row of squares.
 struct DiscPixels::Sheet {
   Block* blocks = nullptr;
-  std::uint8_t* filled = nullptr;
-  int columns = 0;  // squares
-  int width = 0;    // pixels
+  std::uint8_t* holds = nullptr;  // for each square whether its blocks hold something
+  int row = 0;
+  int width = 0;  // of the picture, pixels
   int height = 0;
   float reach = 0;  // the middle of a pixel that a disc covers is nearer to its centre, pixels
 };
@@ -44,11 +41,14 @@ using Block = DiscPixels::Block;
 using Sheet = DiscPixels::Sheet;
 using Look = DiscPixels::Look;
 
-// Vectors to places in the picture and in the colour map.
-struct ToPicture {
-  glm::vec4 scale;
-  glm::vec4 offset;
-};
+// The first and the last of the pixels from 0 to `end` whose middle is within reach. Casting truncates towards zero: sums are
+// kept positive, and ends may be one more than needed, where nothing is covered.
+WEIR_INLINE int first_pixel(float centre, float reach) {
+  return static_cast<int>(std::max(centre - reach - 0.5f, -1.0f) + 1);
+}
+WEIR_INLINE int last_pixel(float centre, float reach, int end) {
+  return static_cast<int>(std::min(centre + reach - 0.5f, static_cast<float>(end - 1)));
+}
 
 WEIR_INLINE void lesser(const EightWhole& a, const EightWhole& b, EightWhole& of_both) { of_both = a < b ? a : b; }
 WEIR_INLINE void greater(const EightWhole& a, const EightWhole& b, EightWhole& of_both) { of_both = a < b ? b : a; }
@@ -75,49 +75,29 @@ WEIR_INLINE void add_to_square(Block* blocks, const Part& part, float from_x, fl
   }
 }
 
-WEIR_INLINE void add_disc(const Sheet& sheet, float x, float y, std::int32_t place) {
-  // Pixels whose middle is within reach. Casting truncates towards zero: sums are kept positive, and ends may be one more
-  // than needed, where nothing is covered.
-  const int left = static_cast<int>(std::max(x - sheet.reach - 0.5f, -1.0f) + 1);
-  const int top = static_cast<int>(std::max(y - sheet.reach - 0.5f, -1.0f) + 1);
-  const int right = static_cast<int>(std::min(x + sheet.reach - 0.5f, static_cast<float>(sheet.width - 1)));
-  const int bottom = static_cast<int>(std::min(y + sheet.reach - 0.5f, static_cast<float>(sheet.height - 1)));
-  const int left_block = left / block_width;
-  const int right_block = right / block_width;
-  const int top_block = top / block_height;
-  const int bottom_block = bottom / block_height;
-  // The chroma of a block takes from the pixel to its left.
-  const int last_column = std::min((right + 1) / square_width, sheet.columns - 1);
-  for (int row = top_block / square_blocks; row <= bottom_block / square_blocks; ++row) {
-    sheet.filled[row * sheet.columns + last_column] |= shows;
-    for (int column = left_block / square_blocks; column <= right_block / square_blocks; ++column) {
-      const int square = row * sheet.columns + column;
-      Block* blocks = sheet.blocks + static_cast<std::size_t>(square) * blocks_a_square;
-      if ((sheet.filled[square] & holds) == 0) {
-        sheet.filled[square] |= holds | shows;
-        const EightWhole nothing = EightWhole{} + std::bit_cast<std::int32_t>(far);
-        for (int k = 0; k < blocks_a_square; ++k) blocks[k] = {nothing, nothing};
-      }
-      const Part part{std::max(left_block - column * square_blocks, 0), std::max(top_block - row * square_blocks, 0),
-                      std::min(right_block - column * square_blocks, square_blocks - 1),
-                      std::min(bottom_block - row * square_blocks, square_blocks - 1)};
-      add_to_square(blocks, part, static_cast<float>(column * square_width) - x,
-                    static_cast<float>(row * square_height) - y, place);
+WEIR_INLINE void add_disc(const Sheet& sheet, const DiscPixels::Disc& disc) {
+  const int top_of_row = sheet.row * square_height;
+  const int left_block = first_pixel(disc.x, sheet.reach) / block_width;
+  const int right_block = last_pixel(disc.x, sheet.reach, sheet.width) / block_width;
+  const int top = std::max(first_pixel(disc.y, sheet.reach) - top_of_row, 0) / block_height;
+  const int bottom =
+      std::min(last_pixel(disc.y, sheet.reach, sheet.height) - top_of_row, square_height - 1) / block_height;
+  for (int square = left_block / square_blocks; square <= right_block / square_blocks; ++square) {
+    Block* blocks = sheet.blocks + static_cast<std::size_t>(square) * blocks_a_square;
+    if (sheet.holds[square] == 0) {
+      sheet.holds[square] = 1;
+      const EightWhole nothing = EightWhole{} + std::bit_cast<std::int32_t>(far);
+      for (int k = 0; k < blocks_a_square; ++k) blocks[k] = {nothing, nothing};
     }
+    const Part part{std::max(left_block - square * square_blocks, 0), top,
+                    std::min(right_block - square * square_blocks, square_blocks - 1), bottom};
+    add_to_square(blocks, part, static_cast<float>(square * square_width) - disc.x,
+                  static_cast<float>(top_of_row) - disc.y, disc.place);
   }
 }
 
-WEIR_INLINE void add_discs(const Sheet& sheet, std::span<const glm::vec4> particles, const ToPicture& view) {
-  const auto right_end = static_cast<float>(sheet.width) + sheet.reach;
-  const auto lower_end = static_cast<float>(sheet.height) + sheet.reach;
-  for (const glm::vec4& particle : particles) {
-    const float x = particle.x * view.scale.x + view.offset.x;
-    const float y = particle.y * view.scale.y + view.offset.y;
-    const float place = particle.w * view.scale.w + view.offset.w;
-    // Written so that what is not a number is left out.
-    if (x > -sheet.reach && x < right_end && y > -sheet.reach && y < lower_end && place == place)
-      add_disc(sheet, x, y, static_cast<std::int32_t>(std::clamp(place, 0.0f, 255.0f) + 0.5f));
-  }
+WEIR_INLINE void add_discs(const Sheet& sheet, std::span<const DiscPixels::Disc> discs) {
+  for (const DiscPixels::Disc& disc : discs) add_disc(sheet, disc);
 }
 
 // How much of a pixel a disc covers, from the squared distance of its centre alone: a smooth step of 4/3 pixels, in the
@@ -183,20 +163,16 @@ WEIR_INLINE void resolve_square(const Block* blocks, const Look& look, Texel* te
 }  // namespace
 
 struct DiscPixels::Loops {
-  void (*add)(const Sheet& sheet, std::span<const glm::vec4> particles, const ToPicture& view);
+  void (*add)(const Sheet& sheet, std::span<const Disc> discs);
   void (*resolve)(const Block* blocks, const Look& look, Texel* texels);
 };
 
 namespace {
 
-void add_narrow(const Sheet& sheet, std::span<const glm::vec4> particles, const ToPicture& view) {
-  add_discs(sheet, particles, view);
-}
+void add_narrow(const Sheet& sheet, std::span<const DiscPixels::Disc> discs) { add_discs(sheet, discs); }
 void resolve_narrow(const Block* blocks, const Look& look, Texel* texels) { resolve_square(blocks, look, texels); }
 
-WEIR_WIDE void add_wide(const Sheet& sheet, std::span<const glm::vec4> particles, const ToPicture& view) {
-  add_discs(sheet, particles, view);
-}
+WEIR_WIDE void add_wide(const Sheet& sheet, std::span<const DiscPixels::Disc> discs) { add_discs(sheet, discs); }
 WEIR_WIDE void resolve_wide(const Block* blocks, const Look& look, Texel* texels) {
   resolve_square(blocks, look, texels);
 }
@@ -210,42 +186,73 @@ const DiscPixels::Loops& DiscPixels::loops(bool wide_registers) {
 }
 
 DiscPixels::DiscPixels(int width, int height, bool wide_registers)
-    : loops_(loops(wide_registers)), width_(width), height_(height), columns_(Squares(width, height).columns()) {}
+    : loops_(loops(wide_registers)), width_(width), height_(height) {}
 
-void DiscPixels::add(std::span<const glm::vec4> particles, const glm::vec4& scale, const glm::vec4& offset,
-                     double radius, const Colormap& colors) {
-  if (!blocks_) {
-    filled_ = Squares(width_, height_).filled();
-    // Not written to: memory on which no disc ever falls is never really there.
-    blocks_.reset(
-        static_cast<Block*>(std::aligned_alloc(alignof(Block), filled_.size() * blocks_a_square * sizeof(Block))));
-    if (!blocks_) throw std::bad_alloc();
-  }
+void DiscPixels::show(std::span<const glm::vec4> particles, const glm::vec4& scale, const glm::vec4& offset,
+                      double radius, const Colormap& colors) {
   radius_ = radius;
   colors_ = colors;
-  const Sheet sheet{blocks_.get(), filled_.data(), columns_, width_, height_, static_cast<float>(radius) + half_edge};
-  loops_.add(sheet, particles, {scale, offset});
+  reach_ = static_cast<float>(radius) + half_edge;
+  const float right_end = static_cast<float>(width_) + reach_;
+  const float lower_end = static_cast<float>(height_) + reach_;
+  discs_.clear();
+  for (const glm::vec4& particle : particles) {
+    const float x = particle.x * scale.x + offset.x;
+    const float y = particle.y * scale.y + offset.y;
+    const float place = particle.w * scale.w + offset.w;
+    // Written so that what is not a number is left out.
+    if (x > -reach_ && x < right_end && y > -reach_ && y < lower_end && place == place)
+      discs_.push_back({x, y, static_cast<std::int32_t>(std::clamp(place, 0.0f, 255.0f) + 0.5f)});
+  }
 }
 
-void DiscPixels::mark(Squares& squares) const {
-  std::vector<std::uint8_t>& filled = squares.filled();
-  for (std::size_t square = 0; square < filled_.size(); ++square)
-    if ((filled_[square] & shows) != 0) filled[square] = 1;
+void DiscPixels::mark(Squares& squares) {
+  // Sorted by rows of squares, twice if it lies in two.
+  const auto top_row = [&](const Disc& disc) { return first_pixel(disc.y, reach_) / square_height; };
+  const auto bottom_row = [&](const Disc& disc) { return last_pixel(disc.y, reach_, height_) / square_height; };
+  const int columns = squares.columns();
+  row_ends_.assign(squares.rows() + 1, 0);
+  for (const Disc& disc : discs_) {
+    const int left = first_pixel(disc.x, reach_) / square_width;
+    // The chroma of a block takes from the pixel to its left.
+    const int right = std::min((last_pixel(disc.x, reach_, width_) + 1) / square_width, columns - 1);
+    for (int row = top_row(disc); row <= bottom_row(disc); ++row) {
+      ++row_ends_[row + 1];
+      std::uint8_t* line = &squares.filled()[static_cast<std::size_t>(row) * columns];
+      for (int column = left; column <= right; ++column) line[column] = 1;
+    }
+  }
+  std::partial_sum(row_ends_.begin(), row_ends_.end(), row_ends_.begin());
+  by_rows_.resize(row_ends_.back());
+  // What was the end of the row before moves to the end of each row.
+  for (const Disc& disc : discs_)
+    for (int row = top_row(disc); row <= bottom_row(disc); ++row) by_rows_[row_ends_[row]++] = disc;
 }
 
-void DiscPixels::take(const Squares& squares, double opacity, Texel* texels) {
+void DiscPixels::take(const Squares& squares, double opacity, Texel* texels, const RowTaken& taken) {
+  const auto columns = static_cast<std::size_t>(squares.columns());
+  blocks_.resize(columns * blocks_a_square);
+  holds_.resize(columns);
   // The smooth step's spread about its middle, (4/3)^2 / 20, adds as much to the area as this takes away.
   const double edge = std::sqrt(std::max(radius_ * radius_ - 4.0 / 45, 0.0));
   const Look look{static_cast<float>(edge), static_cast<float>(radius_), static_cast<float>(opacity), &colors_};
-  for (std::size_t square = 0; square < squares.first_texels().size(); ++square) {
-    const std::uint32_t first = squares.first_texels()[square];
-    if (first == Squares::empty) continue;
-    if ((filled_[square] & holds) == 0)
-      std::fill_n(texels + first, square_texels, Texel{});
-    else
-      loops_.resolve(&blocks_[square * blocks_a_square], look, texels + first);
+  std::size_t begin = 0;
+  for (int row = 0; row < squares.rows(); ++row) {
+    std::fill(holds_.begin(), holds_.end(), std::uint8_t{0});
+    const std::size_t end = row_ends_[row];
+    loops_.add({blocks_.data(), holds_.data(), row, width_, height_, reach_},
+               std::span(by_rows_).subspan(begin, end - begin));
+    begin = end;
+    for (std::size_t column = 0; column < columns; ++column) {
+      const std::uint32_t first = squares.first_texels()[row * columns + column];
+      if (first == Squares::empty) continue;
+      if (holds_[column] == 0)
+        std::fill_n(texels + first, square_texels, Texel{});
+      else
+        loops_.resolve(&blocks_[column * blocks_a_square], look, texels + first);
+    }
+    taken(row);
   }
-  std::fill(filled_.begin(), filled_.end(), std::uint8_t{0});
 }
 
 }  // namespace weir

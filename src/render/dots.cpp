@@ -109,7 +109,7 @@ void Dots::add_to_pixels(std::span<const glm::vec4> particles, const glm::vec4& 
   });
 }
 
-void Dots::mark(Squares& squares) const {
+void Dots::mark(Squares& squares) {
   for (std::size_t row = 1; row + 1 < square_rows_; ++row)
     for (std::size_t column = 1; column + 1 < square_stride_; ++column)
       if (filled_[row * square_stride_ + column] != 0) squares.filled()[(row - 1) * squares.columns() + column - 1] = 1;
@@ -126,9 +126,9 @@ Texel Dots::resolved(const Sum* sums, float opacity) {
   return std::bit_cast<Texel>(byte(red * part) | byte(green * part) << 8 | byte(blue * part) << 16 | byte(alpha) << 24);
 }
 
-void Dots::take(const Squares& squares, double opacity, Texel* texels) {
+void Dots::take(const Squares& squares, double opacity, Texel* texels, const RowTaken& taken) {
   const std::size_t stride = square_stride_ * square_width;
-  for (std::size_t row = 0; row + 2 < square_rows_; ++row)
+  for (std::size_t row = 0; row + 2 < square_rows_; ++row) {
     for (std::size_t column = 0; column + 2 < square_stride_; ++column) {
       const std::uint32_t first = squares.first_texels()[row * squares.columns() + column];
       if (first == Squares::empty) continue;
@@ -142,6 +142,8 @@ void Dots::take(const Squares& squares, double opacity, Texel* texels) {
             std::fill_n(sums, block_width, Sum{});
           }
     }
+    taken(static_cast<int>(row));
+  }
   std::fill(filled_.begin(), filled_.end(), std::uint8_t{0});
 }
 

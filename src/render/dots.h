@@ -32,9 +32,9 @@ class Dots final : public ParticlePixels {
   void add(std::span<const glm::vec4> particles, const glm::vec4& scale, const glm::vec4& offset, double radius,
            const Colormap& colors);
 
-  void mark(Squares& squares) const override;
+  void mark(Squares& squares) override;
   // Nothing is left then.
-  void take(const Squares& squares, double opacity, Texel* texels) override;
+  void take(const Squares& squares, double opacity, Texel* texels, const RowTaken& taken) override;
 
  private:
   // Red, green and blue, each times the share of the pixel in 1/1024, and the sum of those shares.

@@ -216,6 +216,11 @@ void EglContext::make_current() const {
     throw DeviceError(egl_failure("eglMakeCurrent", eglGetError()));
 }
 
+bool EglContext::is_processor() const {
+  return std::ranges::any_of(std::array{"llvmpipe", "softpipe", "SwiftShader"},
+                             [&](const char* name) { return gl_renderer_.find(name) != std::string::npos; });
+}
+
 EglContext::~EglContext() {
   if (eglGetCurrentContext() == context_) eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(display_, context_);

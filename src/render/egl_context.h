@@ -23,6 +23,7 @@ class EglContext {
 
   void make_current() const;
   const std::string& gl_renderer() const { return gl_renderer_; }
+  bool is_processor() const;  // nothing but the processor draws
 
  private:
   struct Candidate;

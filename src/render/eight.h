@@ -55,6 +55,21 @@ WEIR_INLINE void square_root(Eight& of) {
 #endif
 }
 
+// Of lanes 0 .. 255 the lowest bytes, those of four lanes each.
+WEIR_INLINE void pack_bytes(const EightWhole& of, std::array<std::uint32_t, 2>& bytes) {
+#if defined(__x86_64__)
+  using Words = long long __attribute__((vector_size(16)));
+  const FourWhole low = __builtin_shufflevector(of, of, 0, 1, 2, 3);
+  const FourWhole high = __builtin_shufflevector(of, of, 4, 5, 6, 7);
+  const __m128i words = _mm_packs_epi32(reinterpret_cast<Words>(low), reinterpret_cast<Words>(high));
+  const __m128i packed = _mm_packus_epi16(words, words);
+  std::memcpy(bytes.data(), &packed, sizeof(bytes));
+#else
+  for (int row = 0; row < 2; ++row)
+    bytes[row] = of[4 * row] | of[4 * row + 1] << 8 | of[4 * row + 2] << 16 | of[4 * row + 3] << 24;
+#endif
+}
+
 // A texel's pixels of channels 0 .. 255.
 WEIR_INLINE void pack(const std::array<Eight, 3>& rgb, const Eight& alpha, EightWhole& pixels) {
   pixels = __builtin_convertvector(rgb[0] + 0.5f, EightWhole) |

@@ -1,6 +1,7 @@
 #include "render/gl_renderer.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "core/error.h"
@@ -11,7 +12,8 @@ namespace weir {
 
 namespace {
 
-constexpr std::size_t movie_sheets = 2;
+// Images that are drawn, wait and are encoded at one time, and some to spare.
+constexpr std::size_t most_known = 8;
 
 // Walls in 3D are paler than the fluid, which is drawn over them wherever it is.
 constexpr double deep_wall_opacity = 0.5;
@@ -64,14 +66,16 @@ GlRenderer::GlRenderer(const Scene& scene, const StillLife& still_life, const De
       wall_style_{0.5 * still_life.particle_spacing, {0, 1}, only(wall_color), 1},
       overlay_(scene, color_range(scene, still_life)),
       camera_(scene, still_life, overlay_.content()),
-      context_(EglContext::open(choice)) {
+      context_(EglContext::open(choice)),
+      composes_(choice.movie_by == MovieBy::fitting ? context_->is_processor()
+                                                    : choice.movie_by == MovieBy::processor) {
   if (scene.dimension == 3) wall_style_.opacity = deep_wall_opacity;
   const int padded = round_up(width_, block_width);
   fixed_ = on_blocks(overlay_.fixed_boxes(), padded, height_);
   changing_ = on_blocks(overlay_.changing_boxes(), padded, height_);
   boxes_ = fixed_;
   boxes_.insert(boxes_.end(), changing_.begin(), changing_.end());
-  drawing_.emplace(width_, height_, transparent_, threads);
+  drawing_.emplace(width_, height_, transparent_ && !composes_, threads);
   layer_ = {padded, height_, std::vector<std::uint8_t>(std::size_t{4} * padded * height_)};
 }
 
@@ -88,7 +92,6 @@ void GlRenderer::see(const Frame& frame) {
   if (view_ == 0 || projection_ != projection) {
     ++view_;
     projection_ = projection;
-    draw_background();
     for (const IntBox& box : fixed_) clear(layer_, box);
     overlay_.draw_fixed(projection_, layer_);
     texts_number_ = 0;  // one box may reach into another
@@ -105,51 +108,72 @@ void GlRenderer::see(const Frame& frame) {
   }
 }
 
-void GlRenderer::draw_background() {
+void GlRenderer::draw_changing_texts(const Frame& frame) {
+  for (const IntBox& box : changing_) clear(layer_, box);
+  overlay_.draw_changing(frame, layer_);
+}
+
+void GlRenderer::draw_walls(bool opaque, Backdrop& below) {
   std::vector<glm::vec4> seen;
   if (scene_.render.walls)
     for (const glm::vec3& wall : walls_)
       if (!projection_.perspective || !hides_inside(scene_, Vec3(wall), projection_.eye)) seen.emplace_back(wall, 0.0f);
   std::vector<std::uint8_t> stale;
   drawing_->particles.arrange(seen, projection_, wall_style_, stale);
-  const std::uint32_t opaque = packed(palette_.background, 255);
-  draw_walls(transparent_ ? packed(Rgb{}, 0) : opaque, drawing_->background);
-  if (drawing_->movie_background) draw_walls(opaque, *drawing_->movie_background);
   arranged_ = -1;
+  below.fill(opaque ? packed(palette_.background, 255) : packed(Rgb{}, 0));
+  drawing_->particles.draw(drawing_->walls.framebuffer(), PixelsFor::backdrop, below);
 }
 
-void GlRenderer::draw_walls(std::uint32_t color, Backdrop& background) {
-  background.fill(color);
-  drawing_->particles.draw(drawing_->walls.framebuffer(), PixelsFor::backdrop, background);
-  background.take(drawing_->walls);
+const Backdrop& GlRenderer::drawn(Background& background, bool opaque) {
+  if (background.view != view_) {
+    draw_walls(opaque, background.backdrop);
+    background.backdrop.take(drawing_->walls);
+    background.view = view_;
+  }
+  return background.backdrop;
 }
 
-void GlRenderer::draw_changing_texts(const Frame& frame) {
-  for (const IntBox& box : changing_) clear(layer_, box);
-  overlay_.draw_changing(frame, layer_);
+GlRenderer::Changes GlRenderer::bring_up(Shown& shown, const ParticlePixels::RowTaken& arranged) {
+  const bool view = shown.view != view_;
+  const Changes changes{view, view || shown.particles != particles_number_, view || shown.texts != texts_number_};
+  if (changes.view) shown.stale.clear();
+  if (changes.particles)
+    drawing_->particles.arrange(particles_, projection_, fluid_style_, shown.stale, arranged);
+  else if (changes.texts && arranged_ != particles_number_)
+    drawing_->particles.arrange(particles_, projection_, fluid_style_, shown.stale);
+  if (changes.particles || changes.texts) arranged_ = particles_number_;
+  shown.view = view_;
+  shown.particles = particles_number_;
+  shown.texts = texts_number_;
+  return changes;
 }
 
 template <class Target>
 void GlRenderer::draw_on(Sheet<Target>& sheet, PixelsFor use) {
-  const bool same_view = sheet.view == view_;
-  const bool same_particles = same_view && sheet.particles == particles_number_;
-  const bool same_texts = same_view && sheet.texts == texts_number_;
-  if (same_particles && same_texts) return;
-  if (!same_view) sheet.stale.clear();
-  if (!same_particles || arranged_ != particles_number_) {
-    drawing_->particles.arrange(particles_, projection_, fluid_style_, sheet.stale);
-    arranged_ = particles_number_;
-  }
-  if (!same_texts)
-    for (const IntBox& box : same_view ? changing_ : boxes_) sheet.layer.upload(layer_, box);
+  const bool apart = use == PixelsFor::movie && drawing_->movie_background;
+  const Backdrop& background =
+      drawn(apart ? *drawing_->movie_background : drawing_->background, apart || !transparent_);
+  const Changes changes = bring_up(sheet.shown);
+  if (changes.texts)
+    for (const IntBox& box : changes.view ? boxes_ : changing_) sheet.layer.upload(layer_, box);
   const GLuint target = sheet.target.framebuffer();
-  const bool opaque = use == PixelsFor::movie && drawing_->movie_background;
-  const Backdrop& background = opaque ? *drawing_->movie_background : drawing_->background;
-  if (!same_particles) drawing_->particles.draw(target, use, background);
-  drawing_->particles.draw(target, use, background, sheet.layer, same_particles ? changing_ : boxes_);
-  sheet.view = view_;
-  sheet.particles = particles_number_;
-  sheet.texts = texts_number_;
+  if (changes.particles) drawing_->particles.draw(target, use, background);
+  if (changes.particles || changes.texts)
+    drawing_->particles.draw(target, use, background, sheet.layer, changes.particles ? boxes_ : changing_);
+}
+
+void GlRenderer::compose(Composed& movie, Shown& shown, MovieImage& image) {
+  if (movie.background_view != view_) {
+    drawing_->background.view = -1;  // only lent
+    draw_walls(true, drawing_->background.backdrop);
+    drawing_->walls.read(movie.background);
+    movie.background_view = view_;
+  }
+  const ParticlePainter& particles = drawing_->particles;
+  const auto layers = [&] { return MovieLayers{movie.background, particles.squares(), particles.texels(), layer_}; };
+  const Changes changes = bring_up(shown, [&](int row) { movie.pixels.draw(layers(), row, image); });
+  if (changes.texts && !changes.view) movie.pixels.draw(layers(), changing_, image);
 }
 
 void GlRenderer::draw(const Frame& frame, Image& image) {
@@ -162,23 +186,46 @@ void GlRenderer::draw(const Frame& frame, Image& image) {
 }
 
 void GlRenderer::start(const Frame& frame) {
-  if (under_way_.size() == movie_sheets) throw DeviceError("more pictures begun than can be under way");
+  if (under_way_.size() == most_under_way()) throw DeviceError("more pictures begun than can be under way");
   context_->make_current();
   see(frame);
-  // The same one again if that is free: its memory is in the caches, where the processor is the device.
+  // The same one again if that is free.
   const std::size_t sheet = under_way_.empty() ? 0 : 1 - under_way_.front();
-  if (sheet == drawing_->movie.size()) drawing_->movie.emplace_back(width_, height_);
-  draw_on(drawing_->movie[sheet], PixelsFor::movie);
-  glFlush();  // the device may begin
+  if (!composes_) {
+    if (sheet == drawing_->movie.size()) drawing_->movie.emplace_back(width_, height_);
+    draw_on(drawing_->movie[sheet], PixelsFor::movie);
+    glFlush();  // the device may begin
+  }
   under_way_.push_back(sheet);
 }
 
 void GlRenderer::finish(MovieImage& image) {
   if (under_way_.empty()) throw DeviceError("no picture has been begun");
   context_->make_current();
-  drawing_->movie[under_way_.front()].target.read(image);
+  if (composes_) {
+    compose(image);
+  } else {
+    drawing_->movie[under_way_.front()].target.read(image);
+    image.known_as = 0;
+  }
   check_drawn();
   under_way_.pop_front();
+}
+
+void GlRenderer::compose(MovieImage& image) {
+  if (!drawing_->composed) drawing_->composed.emplace(width_, height_, boxes_);
+  std::map<std::int64_t, Shown>& shown = drawing_->composed->shown;
+  image.resize(width_, height_);
+  auto known = shown.extract(image.known_as);
+  if (known.empty()) {
+    if (shown.size() == most_known) shown.erase(shown.begin());
+    known = std::map<std::int64_t, Shown>{{0, {}}}.extract(0);
+  }
+  image.known_as = 0;  // until it is drawn
+  compose(*drawing_->composed, known.mapped(), image);
+  static std::atomic<std::int64_t> last{0};  // of all renderers: an image may go from one to the next
+  known.key() = image.known_as = ++last;
+  shown.insert(std::move(known));
 }
 
 }  // namespace weir

@@ -41,21 +41,22 @@ ParticlePixels& ParticlePainter::pixels_of(std::span<const glm::vec4> particles,
     dots_.add(particles, scale, offset, radius, style.colors);
     return dots_;
   }
-  discs_.add(particles, scale, offset, radius, style.colors);
+  discs_.show(particles, scale, offset, radius, style.colors);
   return discs_;
 }
 
 void ParticlePainter::arrange(std::span<const glm::vec4> particles, const Projection& projection,
-                              const ParticleStyle& style, std::vector<std::uint8_t>& stale) {
+                              const ParticleStyle& style, std::vector<std::uint8_t>& stale,
+                              const ParticlePixels::RowTaken& arranged) {
   ParticlePixels& pixels = pixels_of(particles, projection, style);
   squares_.begin();
   pixels.mark(squares_);
   const std::size_t texels = squares_.close(stale);
   first_texels_.write(squares_.first_texels());
   to_draw_.write(squares_.to_draw());
-  auto* to = static_cast<Texel*>(texels_.begin(texels * sizeof(Texel)));
-  std::fill_n(to, square_texels, Texel{});  // where the texels of squares without pixels are
-  pixels.take(squares_, style.opacity, to);
+  arranged_texels_ = static_cast<Texel*>(texels_.begin(texels * sizeof(Texel)));
+  std::fill_n(arranged_texels_, square_texels, Texel{});  // where the texels of squares without pixels are
+  pixels.take(squares_, style.opacity, arranged_texels_, arranged);
 }
 
 const GlProgram& ParticlePainter::program(bool movie, bool overlay) {

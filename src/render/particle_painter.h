@@ -45,9 +45,14 @@ class ParticlePainter {
   ParticlePainter(int width, int height, int threads = 0);  // as for thread_count()
 
   // Takes in what draw() shows from now on. `stale` says for each square whether the target that is drawn to next shows
-  // something else than the background there; empty for a target that shows anything.
-  void arrange(std::span<const glm::vec4> particles, const Projection& projection, const ParticleStyle& style,
-               std::vector<std::uint8_t>& stale);
+  // something else than the background there; empty for a target that shows anything. `arranged` is told when all of a row of
+  // squares is there.
+  void arrange(
+      std::span<const glm::vec4> particles, const Projection& projection, const ParticleStyle& style,
+      std::vector<std::uint8_t>& stale, const ParticlePixels::RowTaken& arranged = [](int) {});
+  // What draw() shows. Reading texels takes long where the device is not the processor.
+  const Squares& squares() const { return squares_; }
+  const Texel* texels() const { return arranged_texels_; }
   void draw(GLuint framebuffer, PixelsFor use, const Backdrop& background);
   // The same with a layer on top of particles and background, whole blocks of `box` only.
   void draw(GLuint framebuffer, PixelsFor use, const Backdrop& background, const ColorTarget& layer,
@@ -65,6 +70,7 @@ class ParticlePainter {
   Dots dots_;
   Balls balls_;
   StreamBuffer texels_;
+  Texel* arranged_texels_ = nullptr;  // in the buffer
   StreamBuffer first_texels_;
   StreamBuffer to_draw_;
   GlVertexArray no_vertices_;

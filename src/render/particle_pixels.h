@@ -1,6 +1,8 @@
 // Particles as pixels of the processor's making, which the device lays over the background.
 #pragma once
 
+#include <functional>
+
 #include "render/squares.h"
 #include "render/texel.h"
 
@@ -14,9 +16,11 @@ class ParticlePixels {
   ParticlePixels& operator=(const ParticlePixels&) = delete;
 
   // Marks the squares in which there is anything to draw.
-  virtual void mark(Squares& squares) const = 0;
-  // Writes what those squares show to where it belongs among `texels`, with so much of its alpha. Once for each picture.
-  virtual void take(const Squares& squares, double opacity, Texel* texels) = 0;
+  virtual void mark(Squares& squares) = 0;
+  // Writes what those squares show to where it belongs among `texels`, with so much of its alpha. After mark(), once for each
+  // picture. Says of each row of squares, from the top to the bottom, when all of it is there, which may be at the end.
+  using RowTaken = std::function<void(int row)>;
+  virtual void take(const Squares& squares, double opacity, Texel* texels, const RowTaken& taken) = 0;
 };
 
 }  // namespace weir

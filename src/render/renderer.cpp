@@ -23,10 +23,10 @@ Function* render_function(const char* symbol) {
 }  // namespace
 
 DeviceChoice device_choice(const std::string& requested) {
-  if (!requested.empty()) return {requested};
+  if (!requested.empty()) return {.device = requested};
   // Read at start-up, before any thread could change the environment.
   if (const char* from_environment = std::getenv("WEIR_GL_DEVICE"))  // NOLINT(concurrency-mt-unsafe)
-    if (*from_environment != '\0') return {from_environment};
+    if (*from_environment != '\0') return {.device = from_environment};
   return {};
 }
 

@@ -31,16 +31,25 @@ class Renderer {
   virtual void draw(const Frame& frame, Image& image) = 0;
 
   // The same picture for a movie, in two halves so that the device draws one while the last is read: start() begins it,
-  // finish() waits for the one begun first. At most two may be under way.
+  // finish() waits for the one begun first. At most so many may be under way, two or, where that gains nothing, one.
+  virtual std::size_t most_under_way() const = 0;
   virtual void start(const Frame& frame) = 0;
   virtual void finish(MovieImage& image) = 0;
 
   virtual const std::string& gl_renderer() const = 0;
 };
 
+// Who puts a movie's pictures together of background, particles and texts.
+enum class MovieBy {
+  fitting,    // the processor if the device is nothing else, or the device
+  device,     // as other pictures
+  processor,  // the pixels are the same but for rounding
+};
+
 // Which device draws: "auto", "software", or its number in the list of `list_devices`.
 struct DeviceChoice {
   std::string device = "auto";
+  MovieBy movie_by = MovieBy::fitting;
 };
 DeviceChoice device_choice(const std::string& requested);  // `requested`, else WEIR_GL_DEVICE, else auto
 

@@ -39,6 +39,9 @@ class Squares {
   std::span<const std::uint32_t> first_texels() const { return first_; }
   // As compose.vert reads them: a square's column below 16 bits of its row.
   std::span<const std::uint32_t> to_draw() const { return to_draw_; }
+  std::span<const std::uint32_t> to_draw(int row) const {
+    return to_draw().subspan(first_to_draw_[row], first_to_draw_[row + 1] - first_to_draw_[row]);
+  }
 
  private:
   int columns_;
@@ -46,6 +49,7 @@ class Squares {
   std::vector<std::uint8_t> filled_;
   std::vector<std::uint32_t> first_;
   std::vector<std::uint32_t> to_draw_;
+  std::vector<std::size_t> first_to_draw_;  // of each row, and the end
 };
 
 }  // namespace weir

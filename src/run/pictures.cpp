@@ -144,7 +144,8 @@ void Pictures::draw_movie(Renderer& renderer, const Frame& frame) {
     renderer.start(frame);
   }
   under_way_.push_back(std::move(image));
-  while (under_way_.size() > (frames_.empty() ? 0U : 1U)) pass_on_movie(renderer);
+  const std::size_t ahead = frames_.empty() ? 0 : renderer.most_under_way() - 1;
+  while (under_way_.size() > ahead) pass_on_movie(renderer);
 }
 
 void Pictures::pass_on_movie(Renderer& renderer) {

@@ -55,7 +55,7 @@ class Pictures {
   // A stage has failed: no picture will be added to what is there.
   bool failed() const { return failed_; }
   // How many threads draw, encode or compress at this moment.
-  int at_work() const { return at_work_; }
+  const std::atomic<int>& at_work() const { return at_work_; }
   // Waits until everything is drawn and written. Throws the first error of any stage.
   void finish();
 

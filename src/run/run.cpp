@@ -81,7 +81,6 @@ class Session {
   std::string scene_text_;
   Provenance provenance_;
   int threads_;
-  int processors_ = processors();
   Stopwatch since_start_;
   double setup_seconds_ = 0;
   double log_seconds_ = 0;
@@ -163,6 +162,7 @@ std::string Session::reason_to_stop() const {
 }
 
 void Session::step_through() {
+  if (pictures_) simulation_->give_way_to(pictures_->at_work());
   for (;;) {
     const std::int64_t frame = simulation_->frame_index();
     if (pictures_ && frame >= 0 && pictures_->wants(frame)) pictures_->add(*simulation_);
@@ -173,7 +173,6 @@ void Session::step_through() {
       note(ExitCode::stopped, fmt::format("{} at {:.6g} s of {:.6g} s", reason, simulation_->time(), scene_.duration));
       return;
     }
-    if (pictures_) simulation_->use_threads(std::clamp(processors_ - pictures_->at_work(), 1, threads_));
     simulation_->step();
   }
 }

@@ -69,6 +69,7 @@ class SimulationIn final : public Simulation {
   std::int64_t steps() const override { return steps_; }
   std::int64_t frame_index() const override { return clock_.frame_index(); }
   void use_threads(int most) override { team_.use_at_most(most); }
+  void give_way_to(const std::atomic<int>& others) override { team_.give_way_to(others); }
   std::int64_t fluid_particles() const override { return static_cast<std::int64_t>(solver_.fluid().count); }
   std::int64_t wall_particles() const override { return walls_; }
 

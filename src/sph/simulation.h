@@ -1,6 +1,7 @@
 // The face of the solver: one scene, stepped. The dimension is chosen at run time here and nowhere else.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -40,6 +41,8 @@ class Simulation {
 
   // From the next step on, at most so many of the threads that it was made with. Results never depend on it.
   virtual void use_threads(int most) = 0;
+  // And from the next loop on, as many processors as this says are left to others. It must outlive the steps.
+  virtual void give_way_to(const std::atomic<int>& others) = 0;
 
   virtual std::int64_t fluid_particles() const = 0;
   virtual std::int64_t wall_particles() const = 0;

@@ -25,8 +25,9 @@ Still with_overlay() {
 
 View2D all_in_view() { return {Vec3(1.8, 0.9, 0), 4}; }
 
-void draw(benchmark::State& state, const Still& still, const std::vector<const Frame*>& frames) {
-  const auto renderer = make_renderer(still.scene, still.still_life, device_choice(""));
+void draw(benchmark::State& state, const Still& still, const std::vector<const Frame*>& frames,
+          const DeviceChoice& choice = device_choice("")) {
+  const auto renderer = make_renderer(still.scene, still.still_life, choice);
   MovieImage image;
   std::size_t k = 0;
   const auto draw_next = [&] {
@@ -91,6 +92,16 @@ void empty_blocks(benchmark::State& state, bool are_shaded) {
 }
 BENCHMARK_CAPTURE(empty_blocks, left, false)->MEASURED;
 BENCHMARK_CAPTURE(empty_blocks, shaded, true)->MEASURED;
+
+// Where the device is the processor: a movie's pictures composed by its shader and read, or by the processor at once.
+void movie_by(benchmark::State& state, MovieBy who) {
+  const Still still = wave(particles);
+  DeviceChoice choice = device_choice("");
+  choice.movie_by = who;
+  draw(state, still, frames_of(still), choice);
+}
+BENCHMARK_CAPTURE(movie_by, device, MovieBy::device)->MEASURED;
+BENCHMARK_CAPTURE(movie_by, processor, MovieBy::processor)->MEASURED;
 
 // Particles that are all off the picture or all in it.
 void fluid(benchmark::State& state, bool on_camera) {

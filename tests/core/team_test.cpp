@@ -6,7 +6,9 @@
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
+#include <mutex>
 #include <numeric>
+#include <set>
 #include <thread>
 #include <vector>
 
@@ -60,6 +62,29 @@ TEST(Team, ThreadsThatAreNotUsedSleep) {
   const std::thread::id caller = std::this_thread::get_id();
   team.for_each(turns.size(), [&](std::size_t k) { turns[k] = std::this_thread::get_id() == caller ? 1 : 0; });
   EXPECT_THAT(turns, testing::Each(1));
+}
+
+TEST(Team, LeavesProcessorsToOthersWhileTheyAreAtWork) {
+  Team team(processors());
+  std::atomic<int> others{0};
+  team.give_way_to(others);
+  const auto threads_at_work = [&] {
+    std::mutex mutex;
+    std::set<std::thread::id> seen;
+    team.for_each(200, [&](std::size_t) {
+      std::this_thread::sleep_for(std::chrono::microseconds(100));
+      const std::lock_guard lock(mutex);
+      seen.insert(std::this_thread::get_id());
+    });
+    return static_cast<int>(seen.size());
+  };
+  EXPECT_EQ(threads_at_work(), processors());
+  for (const int busy : {1, processors(), processors() + 3}) {
+    others = busy;
+    EXPECT_EQ(threads_at_work(), std::max(processors() - busy, 1)) << busy;
+  }
+  others = 0;
+  EXPECT_EQ(threads_at_work(), processors());
 }
 
 TEST(Team, AReductionHasTheSameBitsForAnySize) {

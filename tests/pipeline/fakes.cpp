@@ -37,6 +37,10 @@ class FakeSimulation final : public Simulation {
 
   bool finished() const override { return step_ >= last_; }
   void step() override {
+    if (others_ != nullptr) {
+      const std::lock_guard lock(record_mutex);
+      record_now.others_at_work.insert(*others_);
+    }
     work(behaviour_now.step_time);
     ++step_;
     if (step_ == behaviour_now.diverge_in_step) throw SimulationError("diverged on purpose");
@@ -45,10 +49,8 @@ class FakeSimulation final : public Simulation {
   double simulated_time() const override { return time(); }
   std::int64_t steps() const override { return step_; }
   std::int64_t frame_index() const override { return step_ % steps_per_frame == 0 ? step_ / steps_per_frame : -1; }
-  void use_threads(int most) override {
-    const std::lock_guard lock(record_mutex);
-    record_now.solver_threads.insert(most);
-  }
+  void use_threads(int) override {}
+  void give_way_to(const std::atomic<int>& others) override { others_ = &others; }
   std::int64_t fluid_particles() const override { return 1; }
   std::int64_t wall_particles() const override { return 0; }
   void fill(Frame& frame) override {
@@ -73,6 +75,7 @@ class FakeSimulation final : public Simulation {
   int fps_;
   std::int64_t last_;
   std::int64_t step_ = 0;
+  const std::atomic<int>* others_ = nullptr;
 };
 
 class FakeRenderer final : public Renderer {
@@ -88,6 +91,7 @@ class FakeRenderer final : public Renderer {
     image.rgba.assign(8, 0);
     image.rgba[0] = static_cast<std::uint8_t>(frame.index);
   }
+  std::size_t most_under_way() const override { return 2; }
   void start(const Frame& frame) override {
     draw_one(frame);
     begun_.push_back(frame.index);

@@ -32,7 +32,7 @@ struct FakeRecord {
   std::int64_t filled = 0;            // frames that the solver has handed over
   std::int64_t most_ahead = 0;        // of the solver before the encoder, in frames
   int most_at_once = 0;               // stages at work at one moment
-  std::set<int> solver_threads;       // that it was told to use, if any
+  std::set<int> others_at_work;       // threads that the solver was told of at the start of a step, if any
   std::thread::id renderer_thread;
   bool drawn_elsewhere = false;  // on another thread than the renderer was made on
   bool movie_made = false;

@@ -1,7 +1,6 @@
 // How the stages of a run work together, with stages that fail on purpose.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sched.h>
 
 #include <chrono>
 #include <filesystem>
@@ -23,6 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -89,7 +89,7 @@ TEST_F(Stages, DoNotExistWithoutPictures) {
   options_.progress = [&](const Progress&) { during = std::max(during, threads_alive()); };
   EXPECT_EQ(run_with({}).exit, ExitCode::done);
   EXPECT_EQ(during, before);
-  EXPECT_THAT(record().solver_threads, IsEmpty());
+  EXPECT_THAT(record().others_at_work, IsEmpty());
   EXPECT_EQ(record().renderer_thread, std::thread::id());
   EXPECT_EQ(manifest()["gl_renderer"], "");
   EXPECT_EQ(manifest()["encoder"], "");
@@ -111,24 +111,14 @@ TEST_F(Stages, OverlapWithEachOther) {
   EXPECT_EQ(record().most_at_once, 3);  // a step, a drawing and an encoding at one moment
 }
 
-// While one draws, the solver has the other of two processors, else both.
-TEST_F(Stages, TakeWhatTheSolverThenLeaves) {
-  cpu_set_t all;
-  ASSERT_EQ(sched_getaffinity(0, sizeof all, &all), 0);
-  if (CPU_COUNT(&all) < 2) GTEST_SKIP() << "one processor is all the solver ever has";
-  cpu_set_t two;
-  CPU_ZERO(&two);
-  for (int k = 0; CPU_COUNT(&two) < 2; ++k)
-    if (CPU_ISSET(k, &all)) CPU_SET(k, &two);
-  ASSERT_EQ(sched_setaffinity(0, sizeof two, &two), 0);
-  const FakeBehaviour behaviour{.step_time = std::chrono::milliseconds(2), .draw_time = std::chrono::milliseconds(3)};
-  run_with(behaviour);
-  EXPECT_THAT(record().solver_threads, ElementsAre(1, 2));
-  options_.threads = 1;
+TEST_F(Stages, TellTheSolverWhenTheyAreAtWork) {
+  run_with({.step_time = std::chrono::milliseconds(2), .draw_time = std::chrono::milliseconds(3)});
+  EXPECT_THAT(record().others_at_work, ElementsAre(0, 1));
   options_.force = true;
-  run_with(behaviour);
-  EXPECT_THAT(record().solver_threads, ElementsAre(1));
-  ASSERT_EQ(sched_setaffinity(0, sizeof all, &all), 0);
+  run_with({.step_time = std::chrono::milliseconds(2),
+            .draw_time = std::chrono::milliseconds(3),
+            .encode_time = std::chrono::milliseconds(20)});
+  EXPECT_THAT(record().others_at_work, Contains(2));
 }
 
 TEST_F(Stages, TellAFailedDrawing) {

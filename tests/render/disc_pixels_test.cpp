@@ -27,7 +27,7 @@ std::vector<glm::vec4> scattered(int count, double margin) {
 }
 
 std::vector<std::uint32_t> pixels_of(DiscPixels& discs, const std::vector<glm::vec4>& particles, double radius) {
-  discs.add(particles, glm::vec4(1), glm::vec4(0), radius, distinct_colors());
+  discs.show(particles, glm::vec4(1), glm::vec4(0), radius, distinct_colors());
   return taken_pixels(discs, width, height);
 }
 
@@ -121,12 +121,12 @@ TEST(DiscPixels, ThatAreNotFiniteAreLeftOut) {
 TEST(DiscPixels, MarkTheSquareWhoseChromaTakesFromThem) {
   DiscPixels discs(width, height);
   const auto marked = [&](float x) {
-    discs.add(std::vector{glm::vec4(x, 8, 0, 0)}, glm::vec4(1), glm::vec4(0), 2, distinct_colors());
+    discs.show(std::vector{glm::vec4(x, 8, 0, 0)}, glm::vec4(1), glm::vec4(0), 2, distinct_colors());
     Squares squares(width, height);
     discs.mark(squares);
     std::vector<std::uint8_t> stale;
     std::vector<Texel> texels(squares.close(stale));
-    discs.take(squares, 1, texels.data());
+    discs.take(squares, 1, texels.data(), [](int) {});
     return std::tuple(squares.filled()[0], squares.filled()[1], squares.filled()[2]);
   };
   // The edge ends 2/3 of a pixel beyond the radius.

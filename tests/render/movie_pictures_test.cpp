@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <memory>
 
 #include "render/test_scene.h"
 #include "support/golden.h"
@@ -11,13 +13,28 @@
 namespace weir::test {
 namespace {
 
-MovieImage filmed(const Still& still) {
-  const auto renderer = make_renderer(still.scene, still.still_life, device_choice(""));
+std::unique_ptr<Renderer> renderer_of(const Still& still, MovieBy who) {
+  DeviceChoice choice = device_choice("");
+  choice.movie_by = who;
+  return make_renderer(still.scene, still.still_life, choice);
+}
+
+MovieImage filmed(const Still& still, MovieBy who) {
+  const auto renderer = renderer_of(still, who);
   MovieImage image;
   renderer->start(still.frame);
   renderer->finish(image);
   return image;
 }
+
+// Put together by the device, as other pictures, and by the processor.
+class MoviePicture : public ::testing::TestWithParam<MovieBy> {
+ protected:
+  MovieImage filmed(const Still& still) const { return test::filmed(still, GetParam()); }
+  void expect_converted(const Still& still) const;
+};
+INSTANTIATE_TEST_SUITE_P(By, MoviePicture, ::testing::Values(MovieBy::device, MovieBy::processor),
+                         [](const auto& test) { return test.param == MovieBy::device ? "Device" : "Processor"; });
 
 int largest_error(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
   EXPECT_EQ(a.size(), b.size());
@@ -28,7 +45,7 @@ int largest_error(const std::vector<std::uint8_t>& a, const std::vector<std::uin
 
 // The reference converts RGB that has been rounded to 8 bits. Half a step of each channel is 0.5 * 219/255 = 0.43 of Y,
 // and of chroma at most 0.5 * 224/255 = 0.44 times the sum of its weights, 1; the last rounding adds a half.
-void expect_converted(const Still& still) {
+void MoviePicture::expect_converted(const Still& still) const {
   const MovieImage wanted = testing::movie_image(drawn(still));
   const MovieImage found = filmed(still);
   EXPECT_EQ(found.width, wanted.width);
@@ -38,9 +55,9 @@ void expect_converted(const Still& still) {
   EXPECT_LE(largest_error(found.cr, wanted.cr), 1);
 }
 
-TEST(MoviePicture, IsTheConvertedPicture) { expect_converted(dam_break()); }
+TEST_P(MoviePicture, IsTheConvertedPicture) { expect_converted(dam_break()); }
 
-TEST(MoviePicture, IsTheConvertedPictureOfEveryMapAndTheme) {
+TEST_P(MoviePicture, IsTheConvertedPictureOfEveryMapAndTheme) {
   Still still = dam_break();
   still.scene.camera.view = View2D{Vec3(1, 0.2, 0), 0.5};
   for (const ColormapName name : {ColormapName::turbo, ColormapName::coolwarm, ColormapName::magma}) {
@@ -50,14 +67,14 @@ TEST(MoviePicture, IsTheConvertedPictureOfEveryMapAndTheme) {
   }
 }
 
-TEST(MoviePicture, IsTheConvertedPictureOfDotsAndBalls) {
+TEST_P(MoviePicture, IsTheConvertedPictureOfDotsAndBalls) {
   Still small = dam_break();
   small.scene.camera.view = View2D{Vec3(1, 0.5, 0), 8};
   expect_converted(small);
   expect_converted(cup());
 }
 
-TEST(MoviePicture, MayBeOfAnyEvenSize) {
+TEST_P(MoviePicture, MayBeOfAnyEvenSize) {
   for (const int width : {318, 320, 322, 16, 18}) {
     Still still = dam_break();
     still.scene.render.size = {width, 94};
@@ -66,7 +83,7 @@ TEST(MoviePicture, MayBeOfAnyEvenSize) {
 }
 
 // A straight edge between pixels 99 and 100: the sample at pixel 100 takes a quarter from pixel 99, and no other mixes.
-TEST(MoviePicture, HasItsChromaOnTheLeft) {
+TEST_P(MoviePicture, HasItsChromaOnTheLeft) {
   Still still = blank(1);
   still.still_life.particle_spacing = 2e4;
   still.scene.render.color.map = ColormapName::turbo;
@@ -81,7 +98,7 @@ TEST(MoviePicture, HasItsChromaOnTheLeft) {
   EXPECT_NEAR(row[51], behind, 1);
 }
 
-TEST(MoviePicture, OfATransparentSceneLiesBeforeTheBackground) {
+TEST_P(MoviePicture, OfATransparentSceneLiesBeforeTheBackground) {
   for (const Theme theme : {Theme::light, Theme::dark}) {
     Still still = dam_break();
     still.scene.render.overlay = {};
@@ -95,31 +112,81 @@ TEST(MoviePicture, OfATransparentSceneLiesBeforeTheBackground) {
   }
 }
 
-// Two under way, as a run has them; unchanged particles, times that change, and a camera that moves.
-TEST(MoviePicture, OfARowIsWhatAFreshRendererDraws) {
+void expect_same(const MovieImage& a, const MovieImage& b, std::size_t k) {
+  EXPECT_EQ(largest_error(a.y, b.y), 0) << k;
+  EXPECT_EQ(largest_error(a.cb, b.cb), 0) << k;
+  EXPECT_EQ(largest_error(a.cr, b.cr), 0) << k;
+}
+
+// Unchanged particles, times that change, and a camera that moves.
+struct Row {
   Still still = dam_break();
-  still.scene.camera.keyframes = {{0.5, View2D{Vec3(0.5, 0.5, 0), 1}}, {0.6, View2D{Vec3(1, 0.5, 0), 4}}};
-  std::vector<Frame> frames(9, still.frame);
-  for (std::size_t k = 0; k < frames.size(); ++k) frames[k].time = 0.1 * static_cast<double>(k);
-  for (const std::size_t k : {1, 6, 8})
-    for (glm::vec4& particle : frames[k].particles) particle.x += 0.3f * static_cast<float>(k);
-  frames[3] = frames[4];  // nothing changes at all
-  frames[7].particles.clear();
-  const auto renderer = make_renderer(still.scene, still.still_life, device_choice(""));
-  const auto expect_next = [&](std::size_t k) {
+  std::vector<Frame> frames{9, still.frame};
+
+  Row() {
+    still.scene.camera.keyframes = {{0.5, View2D{Vec3(0.5, 0.5, 0), 1}}, {0.6, View2D{Vec3(1, 0.5, 0), 4}}};
+    for (std::size_t k = 0; k < frames.size(); ++k) frames[k].time = 0.1 * static_cast<double>(k);
+    for (const std::size_t k : {1, 6, 8})
+      for (glm::vec4& particle : frames[k].particles) particle.x += 0.3f * static_cast<float>(k);
+    frames[3] = frames[4];  // nothing changes at all
+    frames[7].particles.clear();
+  }
+};
+
+// As many under way as a run has.
+TEST_P(MoviePicture, OfARowIsWhatAFreshRendererDraws) {
+  Row row;
+  const auto renderer = renderer_of(row.still, GetParam());
+  std::size_t next = 0;
+  const auto expect_next = [&] {
     MovieImage found;
     renderer->finish(found);
-    still.frame = frames[k];
-    const MovieImage wanted = filmed(still);
-    EXPECT_EQ(largest_error(found.y, wanted.y), 0) << k;
-    EXPECT_EQ(largest_error(found.cb, wanted.cb), 0) << k;
-    EXPECT_EQ(largest_error(found.cr, wanted.cr), 0) << k;
+    row.still.frame = row.frames[next];
+    expect_same(found, filmed(row.still), next++);
   };
-  for (std::size_t k = 0; k < frames.size(); ++k) {
-    renderer->start(frames[k]);
-    if (k > 0) expect_next(k - 1);
+  for (std::size_t k = 0; k < row.frames.size(); ++k) {
+    renderer->start(row.frames[k]);
+    if (k + 1 - next == renderer->most_under_way()) expect_next();
   }
-  expect_next(frames.size() - 1);
+  while (next < row.frames.size()) expect_next();
+}
+
+// Images that come back show older pictures, are copies, are of another renderer or size, or have been written to since by
+// someone who says so.
+TEST_P(MoviePicture, DrawnOverAnotherIsWhatAFreshRendererDraws) {
+  Row row;
+  const auto renderer = renderer_of(row.still, GetParam());
+  std::vector<MovieImage> images(3);
+  images[2] = filmed(row.still);
+  constexpr std::array<std::size_t, 9> order = {0, 1, 0, 0, 1, 2, 1, 2, 0};
+  for (std::size_t k = 0; k < row.frames.size(); ++k) {
+    MovieImage& image = images[order[k]];
+    if (k == 4) image = images[0];
+    if (k == 6) image.resize(64, 36);
+    if (k == 7) {
+      std::fill(image.y.begin(), image.y.end(), std::uint8_t{0});
+      image.known_as = 0;
+    }
+    renderer->start(row.frames[k]);
+    renderer->finish(image);
+    row.still.frame = row.frames[k];
+    expect_same(image, filmed(row.still), k);
+  }
+}
+
+TEST(MoviePictures, AreTheSameWhoeverPutsThemTogether) {
+  Still discs = dam_break();
+  Still transparent = discs;
+  transparent.scene.render.transparent = true;
+  Still dots = discs;
+  dots.scene.camera.view = View2D{Vec3(1, 0.5, 0), 8};
+  for (const Still& still : {discs, transparent, dots, cup()}) {
+    const MovieImage by_device = filmed(still, MovieBy::device);
+    const MovieImage by_processor = filmed(still, MovieBy::processor);
+    EXPECT_LE(largest_error(by_device.y, by_processor.y), 1);
+    EXPECT_LE(largest_error(by_device.cb, by_processor.cb), 1);
+    EXPECT_LE(largest_error(by_device.cr, by_processor.cr), 1);
+  }
 }
 
 }  // namespace

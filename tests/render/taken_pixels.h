@@ -38,7 +38,7 @@ inline std::vector<std::uint32_t> taken_pixels(ParticlePixels& particles, int wi
   particles.mark(squares);
   std::vector<std::uint8_t> stale;
   std::vector<Texel> texels(squares.close(stale));
-  particles.take(squares, 1, texels.data());
+  particles.take(squares, 1, texels.data(), [](int) {});
   return taken_pixels(squares, texels, width, height);
 }
 
