@@ -66,9 +66,10 @@ WEIR_INLINE void color_block(const Part& part, int column, int row, Colors& colo
 // [Rec. ITU-R BT.709-6, 3.2 to 3.5], 8 bits, from RGB of 0 .. 255
 constexpr std::array<float, 3> luma_weights = {0.2126f, 0.7152f, 0.0722f};
 constexpr float luma_scale = 219.0f / 255;
-// Of sums of eight pixels.
+// Two samples of Cb, two of Cr, of sums of eight pixels.
 constexpr float blue_scale = 224.0f / 255 / 1.8556f / 8;
 constexpr float red_scale = 224.0f / 255 / 1.5748f / 8;
+constexpr Four chroma_scale = {blue_scale, blue_scale, red_scale, red_scale};
 
 WEIR_INLINE void luma_of(const Colors& colors, Eight& luma) {
   luma = luma_weights[0] * colors[0] + luma_weights[1] * colors[1] + luma_weights[2] * colors[2];
@@ -80,11 +81,26 @@ WEIR_INLINE Four difference(const Eight& channel, const Eight& luma) {
   return __builtin_shufflevector(both, both, 0, 1, 2, 3) + __builtin_shufflevector(both, both, 4, 5, 6, 7);
 }
 
-// A sample of chroma lies beside the left edge of its 2 x 2 pixels and takes a quarter of the pixel to its left.
-WEIR_INLINE std::uint16_t chroma_of(const Four& sums, float left, float scale) {
-  const auto first = static_cast<std::uint32_t>(128.5f + scale * (left + 2 * sums[0] + sums[1]));
-  const auto last = static_cast<std::uint32_t>(128.5f + scale * (sums[1] + 2 * sums[2] + sums[3]));
-  return static_cast<std::uint16_t>(first | last << 8);
+// Blue and red differences of a block's columns.
+struct Differences {
+  Four even;  // blue of columns 0 and 2, then red
+  Four odd;   // blue of columns 1 and 3, then red
+};
+WEIR_INLINE void differences_of(const Colors& colors, const Eight& luma, Differences& differences) {
+  const Four blue = difference(colors[2], luma);
+  const Four red = difference(colors[0], luma);
+  differences.even = __builtin_shufflevector(blue, red, 0, 2, 4, 6);
+  differences.odd = __builtin_shufflevector(blue, red, 1, 3, 5, 7);
+}
+
+// A sample of chroma lies beside the left edge of its 2 x 2 pixels and takes a quarter of the pixel to its left. `left` are the
+// odd columns of the block to the left.
+WEIR_INLINE std::uint32_t chroma_of(const Differences& of, const Four& left) {
+  const Four before = __builtin_shufflevector(left, of.odd, 1, 4, 3, 6);
+  const FourWhole samples = truncated(128.5f + chroma_scale * (before + 2 * of.even + of.odd));
+  std::array<std::uint32_t, 2> bytes;
+  pack_bytes(__builtin_shufflevector(samples, samples, 0, 1, 2, 3, 0, 1, 2, 3), bytes);
+  return bytes[0];
 }
 
 WEIR_INLINE void draw_part(const Part& part) {
@@ -94,9 +110,10 @@ WEIR_INLINE void draw_part(const Part& part) {
     // The picture goes on to the left as it begins.
     color_block(part, std::max(part.left - 1, 0), row, colors);
     luma_of(colors, luma);
-    const int last = part.left > 0 ? block_width - 1 : 0;
-    float left_blue = difference(colors[2], luma)[last];
-    float left_red = difference(colors[0], luma)[last];
+    Differences differences;
+    differences_of(colors, luma, differences);
+    Four left =
+        part.left > 0 ? differences.odd : __builtin_shufflevector(differences.even, differences.even, 0, 0, 2, 2);
     std::uint8_t* const upper = part.y + static_cast<std::size_t>(block_height * row) * part.width;
     std::uint8_t* const lower = upper + part.width;
     std::uint8_t* const cb = part.cb + row * (part.width / 2);
@@ -104,20 +121,17 @@ WEIR_INLINE void draw_part(const Part& part) {
     for (int column = part.left; column < part.right; ++column) {
       color_block(part, column, row, colors);
       luma_of(colors, luma);
-      const Four blue = difference(colors[2], luma);
-      const Four red = difference(colors[0], luma);
+      differences_of(colors, luma, differences);
+      const std::uint32_t chroma = chroma_of(differences, left);
+      left = differences.odd;
       std::array<std::uint32_t, 2> rows;
       pack_bytes(__builtin_convertvector(16.5f + luma_scale * luma, EightWhole), rows);
-      const std::uint16_t blue_difference = chroma_of(blue, left_blue, blue_scale);
-      const std::uint16_t red_difference = chroma_of(red, left_red, red_scale);
-      left_blue = blue[3];
-      left_red = red[3];
       const std::size_t x = static_cast<std::size_t>(column) * block_width;
       const auto put = [&](std::size_t pixels) {
         std::memcpy(upper + x, &rows[0], pixels);
         std::memcpy(lower + x, &rows[1], pixels);
-        std::memcpy(cb + x / 2, &blue_difference, pixels / 2);
-        std::memcpy(cr + x / 2, &red_difference, pixels / 2);
+        std::memcpy(cb + x / 2, &chroma, pixels / 2);
+        std::memcpy(cr + x / 2, reinterpret_cast<const std::uint8_t*>(&chroma) + 2, pixels / 2);
       };
       if (x + block_width <= part.width)
         put(block_width);
