@@ -38,13 +38,14 @@ Pictures::Pictures(const Scene& scene, const StillLife& still_life, const Device
 
   draw_on_calling_thread();
   std::promise<std::string> ready;
-  std::future<std::string> made = ready.get_future();
+  made_ = ready.get_future();
   drawing_ = std::thread([this, &still_life, &device, promise = std::move(ready)]() mutable {
-    draw_frames(still_life, device, std::move(promise));
+    Trace::name_thread("drawing");
+    if (const std::unique_ptr<Renderer> renderer = start_device(still_life, device, std::move(promise)))
+      draw_frames(*renderer);
   });
   try {
     if (scene.output.movie) load_movies();  // while the device starts
-    gl_renderer_ = made.get();
   } catch (...) {
     end_threads();
     throw;
@@ -66,6 +67,7 @@ void Pictures::open(const RunFolder& folder, const Provenance& provenance, int p
   const int workers = pngs ? std::clamp(png_workers, 1, most_png_workers) : 0;
   for (int i = 0; i < workers; ++i) png_workers_.emplace_back([this, i] { write_pngs(i); });
   for (int i = 0; i < image_buffers + workers; ++i) free_images_.push(std::make_unique<Image>());
+  opened_ = true;
 }
 
 bool Pictures::wants(std::int64_t frame) const {
@@ -87,6 +89,10 @@ void Pictures::finish() {
 // Each stage closes its successors once it has passed on everything, so joining in this order loses nothing.
 void Pictures::end_threads() {
   frames_.close();
+  if (!opened_) {  // nobody takes what is drawn
+    free_movie_images_.close();
+    free_images_.close();
+  }
   if (drawing_.joinable()) drawing_.join();
   if (encoding_.joinable()) encoding_.join();
   for (std::thread& worker : png_workers_) worker.join();
@@ -99,21 +105,27 @@ void Pictures::fail(std::exception_ptr error) {
   failed_ = true;
 }
 
-void Pictures::draw_frames(const StillLife& still_life, const DeviceChoice& device, std::promise<std::string> ready) {
-  Trace::name_thread("drawing");
+// None if there is no device; then whoever waits for it knows why.
+std::unique_ptr<Renderer> Pictures::start_device(const StillLife& still_life, const DeviceChoice& device,
+                                                 std::promise<std::string> ready) {
   std::unique_ptr<Renderer> renderer;
+  ++at_work_;
   try {
     const Span span("start device");
     renderer = make_renderer(scene_, still_life, device, 1);
     ready.set_value(renderer->gl_renderer());
   } catch (...) {
     ready.set_exception(std::current_exception());
-    return;
   }
+  --at_work_;
+  return renderer;
+}
+
+void Pictures::draw_frames(Renderer& renderer) {
   bool broken = false;
   while (std::optional<Frame> frame = frames_.pop()) {
     try {
-      if (!broken) draw_one(*renderer, *frame);
+      if (!broken) draw_one(renderer, *frame);
     } catch (...) {
       fail(std::current_exception());
       broken = true;
@@ -121,7 +133,7 @@ void Pictures::draw_frames(const StillLife& still_life, const DeviceChoice& devi
     free_frames_.put_back(std::move(*frame));
   }
   try {
-    while (!under_way_.empty()) pass_on_movie(*renderer);
+    while (!under_way_.empty()) pass_on_movie(renderer);
   } catch (...) {
     fail(std::current_exception());
   }
@@ -138,12 +150,14 @@ void Pictures::draw_one(Renderer& renderer, const Frame& frame) {
 
 // The device draws a picture while the last one is read; but with no frame waiting, nothing is held back.
 void Pictures::draw_movie(Renderer& renderer, const Frame& frame) {
-  MovieImage image = *free_movie_images_.pop();  // before it is drawn, so that the encoder holds up the solver
+  // Before it is drawn, so that the encoder holds up the solver.
+  std::optional<MovieImage> image = free_movie_images_.pop();
+  if (!image) return;
   {
     const AtWork work(*this, &PictureTimes::render, "draw");
     renderer.start(frame);
   }
-  under_way_.push_back(std::move(image));
+  under_way_.push_back(std::move(*image));
   const std::size_t ahead = frames_.empty() ? 0 : renderer.most_under_way() - 1;
   while (under_way_.size() > ahead) pass_on_movie(renderer);
 }
@@ -159,7 +173,9 @@ void Pictures::pass_on_movie(Renderer& renderer) {
 }
 
 void Pictures::draw_png(Renderer& renderer, const Frame& frame) {
-  std::unique_ptr<Image> image = std::move(*free_images_.pop());
+  std::optional<std::unique_ptr<Image>> room = free_images_.pop();
+  if (!room) return;
+  std::unique_ptr<Image> image = std::move(*room);
   {
     const AtWork work(*this, &PictureTimes::render, "draw");
     renderer.draw(frame, *image);

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <deque>
 #include <exception>
@@ -40,16 +41,21 @@ class Pictures {
  public:
   static constexpr int most_png_workers = 4;  // beyond that the solver starves
 
-  // Starts the drawing thread and makes the renderer on it. Throws DeviceError.
+  // Starts the drawing thread and makes the renderer on it, from what must live until await_device() returns.
   Pictures(const Scene& scene, const StillLife& still_life, const DeviceChoice& device);
   ~Pictures();
   Pictures(const Pictures&) = delete;
   Pictures& operator=(const Pictures&) = delete;
 
+  // Until the device has started, or failed to, frames may be added: they wait.
+  bool device_starts() const { return made_.wait_for(std::chrono::seconds(0)) != std::future_status::ready; }
+  // Throws DeviceError.
+  void await_device() { gl_renderer_ = made_.get(); }
   // Starts to write; the folder is there. Throws OutputError.
   void open(const RunFolder& folder, const Provenance& provenance, int png_workers);
 
   bool wants(std::int64_t frame) const;
+  bool has_room() const { return !free_frames_.empty(); }  // add() would not wait
   // Copies the simulation's frame and queues it; waits while all buffers are in use.
   void add(Simulation& simulation);
   // A stage has failed: no picture will be added to what is there.
@@ -79,7 +85,9 @@ class Pictures {
   // Images beyond those that the PNG workers hold: one being drawn, one waiting.
   static constexpr int image_buffers = 2;
 
-  void draw_frames(const StillLife& still_life, const DeviceChoice& device, std::promise<std::string> ready);
+  std::unique_ptr<Renderer> start_device(const StillLife& still_life, const DeviceChoice& device,
+                                         std::promise<std::string> ready);
+  void draw_frames(Renderer& renderer);
   void draw_one(Renderer& renderer, const Frame& frame);
   void draw_movie(Renderer& renderer, const Frame& frame);
   void pass_on_movie(Renderer& renderer);
@@ -92,7 +100,9 @@ class Pictures {
   const Scene& scene_;
   std::vector<std::int64_t> stills_;  // frame numbers, ascending
   const RunFolder* folder_ = nullptr;
+  bool opened_ = false;
   Provenance provenance_;
+  std::future<std::string> made_;
   std::string gl_renderer_;
   std::string encoder_;
   std::unique_ptr<MovieSink> movie_;

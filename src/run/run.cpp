@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 #include <optional>
+#include <vector>
 
 #include "core/sha256.h"
 #include "core/stopwatch.h"
@@ -61,14 +63,17 @@ class Session {
   RunResult play();
 
  private:
+  void step_ahead();
   void open_files();
   void step_through();
+  void look();
   void log_row();
   void report_progress();
   std::string reason_to_stop() const;
   void note(ExitCode exit, const std::string& message);
   template <class Work>
   void attempt(Work work);
+  Manifest opening_manifest() const;  // what is known from the start
   Manifest manifest() const;
   std::string what_was_written() const;
   void say(const std::string& text) const {
@@ -88,7 +93,9 @@ class Session {
   std::unique_ptr<Simulation> simulation_;
   LogSchedule log_schedule_;
   std::optional<LogWriter> log_;
-  double max_density_error_ = 0;  // over all rows of the log
+  std::vector<Diagnostics> early_rows_;  // of steps before there was a file
+  std::exception_ptr failed_ahead_;      // by such a step
+  double max_density_error_ = 0;         // over all rows of the log
   std::optional<Pictures> pictures_;
   ExitCode exit_ = ExitCode::done;
   std::string message_;
@@ -100,6 +107,14 @@ void Session::open() {
   if (draws(scene_)) {
     const StillLife still_life = simulation_->still_life();
     pictures_.emplace(scene_, still_life, options_.device);
+    simulation_->give_way_to(pictures_->at_work());
+    step_ahead();
+    try {
+      pictures_->await_device();
+    } catch (...) {
+      pictures_.reset();
+      throw;
+    }
     say(fmt::format("drawing with {}", pictures_->gl_renderer()));
     if (!scene_.render.color.range) {
       const auto [low, high] = color_range(scene_, still_life);
@@ -118,6 +133,19 @@ void Session::open() {
   setup_seconds_ = since_start_.seconds();
 }
 
+// While the device starts. Nothing is written yet, and what goes wrong is told when the run begins.
+void Session::step_ahead() {
+  try {
+    while (pictures_->device_starts() && pictures_->has_room() && !simulation_->finished() &&
+           reason_to_stop().empty()) {
+      look();
+      simulation_->step();
+    }
+  } catch (...) {
+    failed_ahead_ = std::current_exception();
+  }
+}
+
 void Session::open_files() {
   folder_.prepare();
   if (pictures_) {
@@ -126,7 +154,8 @@ void Session::open_files() {
   }
   write_file(folder_.scene_file(), scene_text_);
   log_.emplace(folder_.log_file(), scene_.dimension);
-  write_manifest(folder_.manifest_file(), manifest());  // without exit: this run has not ended
+  for (const Diagnostics& row : early_rows_) log_->write(row);
+  write_manifest(folder_.manifest_file(), opening_manifest());  // without exit: this run has not ended
 }
 
 void Session::note(ExitCode exit, const std::string& message) {
@@ -162,11 +191,9 @@ std::string Session::reason_to_stop() const {
 }
 
 void Session::step_through() {
-  if (pictures_) simulation_->give_way_to(pictures_->at_work());
+  if (failed_ahead_) std::rethrow_exception(failed_ahead_);
   for (;;) {
-    const std::int64_t frame = simulation_->frame_index();
-    if (pictures_ && frame >= 0 && pictures_->wants(frame)) pictures_->add(*simulation_);
-    if (simulation_->finished() || log_schedule_.due(simulation_->time())) log_row();
+    look();
     report_progress();
     if (simulation_->finished() || (pictures_ && pictures_->failed())) return;
     if (const std::string reason = reason_to_stop(); !reason.empty()) {
@@ -177,10 +204,20 @@ void Session::step_through() {
   }
 }
 
+// At what the last step has led to.
+void Session::look() {
+  const std::int64_t frame = simulation_->frame_index();
+  if (pictures_ && frame >= 0 && pictures_->wants(frame)) pictures_->add(*simulation_);
+  if (simulation_->finished() || log_schedule_.due(simulation_->time())) log_row();
+}
+
 void Session::log_row() {
   const Stopwatch watch;
   const Diagnostics row = simulation_->diagnostics();
-  log_->write(row);
+  if (log_)
+    log_->write(row);
+  else
+    early_rows_.push_back(row);
   log_schedule_.written(row.time);
   max_density_error_ = std::max(max_density_error_, row.max_density_error);
   log_seconds_ += watch.seconds();
@@ -241,16 +278,26 @@ std::string Session::what_was_written() const {
                             pictures_ ? pictures_->drawn() : 0, since_start_.seconds());
 }
 
-Manifest Session::manifest() const {
+Manifest Session::opening_manifest() const {
   Manifest facts;
   facts.version = provenance_.version;
   facts.scene_sha256 = provenance_.scene_sha256;
-  facts.state_hash = simulation_->state_hash();
   facts.dimension = scene_.dimension;
   facts.particles = {.fluid = simulation_->fluid_particles(), .wall = simulation_->wall_particles()};
+  facts.threads = threads_;
+  facts.instruction_set = name_of(simulation_->instruction_set());
+  if (pictures_) {
+    facts.gl_renderer = pictures_->gl_renderer();
+    facts.encoder = pictures_->encoder();
+  }
+  return facts;
+}
+
+Manifest Session::manifest() const {
+  Manifest facts = opening_manifest();
+  facts.state_hash = simulation_->state_hash();
   facts.steps = simulation_->steps();
   facts.simulated_time_s = simulation_->simulated_time();
-  facts.threads = threads_;
   const StageTimes solver = simulation_->stage_times();
   facts.wall_time_s.setup = setup_seconds_;
   facts.wall_time_s.neighbours = solver.neighbours;
@@ -266,11 +313,8 @@ Manifest Session::manifest() const {
     facts.wall_time_s.render = times.render;
     facts.wall_time_s.encode = times.encode;
     facts.wall_time_s.write += times.write;
-    facts.gl_renderer = pictures_->gl_renderer();
-    facts.encoder = pictures_->encoder();
   }
   facts.max_density_error = max_density_error_;
-  facts.instruction_set = name_of(simulation_->instruction_set());
   facts.wall_time_s.total = since_start_.seconds();
   return facts;
 }

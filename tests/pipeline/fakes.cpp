@@ -43,6 +43,10 @@ class FakeSimulation final : public Simulation {
     }
     work(behaviour_now.step_time);
     ++step_;
+    {
+      const std::lock_guard lock(record_mutex);
+      record_now.steps = step_;
+    }
     if (step_ == behaviour_now.diverge_in_step) throw SimulationError("diverged on purpose");
   }
   double time() const override { return static_cast<double>(step_) / steps_per_frame / fps_; }
@@ -152,6 +156,11 @@ std::unique_ptr<Simulation> make_simulation(const Scene& scene, int /*threads*/,
 
 std::unique_ptr<Renderer> make_renderer(const Scene& /*scene*/, const StillLife& /*still_life*/,
                                         const DeviceChoice& /*choice*/, int /*threads*/) {
+  std::this_thread::sleep_for(behaviour_now.device_time);
+  {
+    const std::lock_guard lock(record_mutex);
+    record_now.steps_ahead = record_now.steps;
+  }
   if (behaviour_now.no_device) throw DeviceError("no device on purpose");
   return std::make_unique<FakeRenderer>();
 }

@@ -15,6 +15,7 @@ namespace weir {
 struct FakeBehaviour {
   std::int64_t diverge_in_step = -1;
   bool no_device = false;
+  std::chrono::milliseconds device_time{0};  // until there is one, or none
   bool no_encoder = false;
   std::int64_t draw_fails_at = -1;    // frame
   std::int64_t encode_fails_at = -1;  // frame
@@ -30,9 +31,11 @@ struct FakeRecord {
   std::vector<std::int64_t> encoded;  // likewise, as read from the pixels
   std::multiset<std::string> pngs;    // file names
   std::int64_t filled = 0;            // frames that the solver has handed over
-  std::int64_t most_ahead = 0;        // of the solver before the encoder, in frames
-  int most_at_once = 0;               // stages at work at one moment
-  std::set<int> others_at_work;       // threads that the solver was told of at the start of a step, if any
+  std::int64_t steps = 0;
+  std::int64_t steps_ahead = 0;  // of the solver when the device had started
+  std::int64_t most_ahead = 0;   // of the solver before the encoder, in frames
+  int most_at_once = 0;          // stages at work at one moment
+  std::set<int> others_at_work;  // threads that the solver was told of at the start of a step, if any
   std::thread::id renderer_thread;
   bool drawn_elsewhere = false;  // on another thread than the renderer was made on
   bool movie_made = false;

@@ -22,10 +22,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
+using testing::Ge;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Le;
 using testing::SizeIs;
 
 class Stages : public testing::Test {
@@ -65,6 +68,44 @@ TEST_F(Stages, DrawAndEncodeEveryFrameOnceAndInOrder) {
   EXPECT_EQ(record().pngs.count("frame_00010.png"), 1U);
   EXPECT_TRUE(record().movie_finished);
   EXPECT_EQ(manifest()["frames"], 11);
+}
+
+// Of its twelve steps until three pictures wait for the device.
+TEST_F(Stages, AreOnesThatTheSolverDoesNotWaitFor) {
+  run_with({.device_time = std::chrono::milliseconds(0)});
+  const std::string log = read_file(options_.folder / "log.csv");
+  options_.force = true;
+  const RunResult result =
+      run_with({.device_time = std::chrono::milliseconds(50), .step_time = std::chrono::milliseconds(1)});
+  EXPECT_EQ(result.exit, ExitCode::done) << result.message;
+  EXPECT_THAT(record().steps_ahead, AllOf(Ge(1), Le(12)));
+  EXPECT_EQ(record().drawn, frames(11));
+  EXPECT_EQ(record().encoded, frames(11));
+  EXPECT_EQ(read_file(options_.folder / "log.csv"), log);
+}
+
+TEST_F(Stages, TellOfADivergenceBeforeThereWasADevice) {
+  const RunResult result = run_with({.diverge_in_step = 6, .device_time = std::chrono::milliseconds(20)});
+  EXPECT_EQ(record().steps_ahead, 6);
+  EXPECT_EQ(result.exit, ExitCode::diverged);
+  EXPECT_EQ(result.message, "diverged on purpose");
+  EXPECT_EQ(record().encoded, frames(2));
+  EXPECT_EQ(manifest()["steps"], 6);
+}
+
+// With pictures that wait to be drawn.
+TEST_F(Stages, LeaveNothingBehindWithoutDeviceOrEncoderAfterSteps) {
+  scene_.output.frames = true;
+  for (const bool device : {false, true}) {
+    const FakeBehaviour behaviour{
+        .no_device = !device, .device_time = std::chrono::milliseconds(20), .no_encoder = true};
+    if (device)
+      EXPECT_THROW(run_with(behaviour), OutputError);
+    else
+      EXPECT_THROW(run_with(behaviour), DeviceError);
+    EXPECT_GT(record().steps_ahead, 0);
+    EXPECT_FALSE(fs::exists(options_.folder));
+  }
 }
 
 TEST_F(Stages, DrawOnTheThreadThatMadeTheRenderer) {
@@ -187,9 +228,8 @@ TEST_F(Stages, TellBothWhenTheMovieFailsAfterADivergence) {
 }
 
 TEST_F(Stages, CloseEverythingOnASignal) {
-  std::atomic<bool> stop = false;
+  const std::atomic<bool> stop = true;
   options_.stop = &stop;
-  options_.progress = [&](const Progress& progress) { stop = progress.step >= 0; };
   const RunResult result = run_with({});
   EXPECT_EQ(result.exit, ExitCode::stopped);
   EXPECT_THAT(result.message, HasSubstr("stopped by a signal at 0 s of 0.5 s"));
