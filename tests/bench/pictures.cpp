@@ -102,7 +102,7 @@ void encode(benchmark::State& state, Make make) {
   for (auto _ : state) movie->write(images[k++ % images.size()]);
 }
 
-// From particles to packets: one picture is drawn while the last is read and the one before is encoded.
+// From particles to packets: one picture is drawn while the last is read, if the device can, and the one before is encoded.
 void draw_and_encode(benchmark::State& state, Make make) {
   const Still still = make(state.range(0));
   const auto renderer = make_renderer(still.scene, still.still_life, device_choice(""));
@@ -110,10 +110,12 @@ void draw_and_encode(benchmark::State& state, Make make) {
   std::array<MovieImage, 2> images;
   std::size_t k = 0;
   std::future<void> encoded = std::async(std::launch::async, [] {});
-  renderer->start(still.frames[k++]);
+  const bool ahead = renderer->most_under_way() > 1;
+  const auto start_next = [&] { renderer->start(still.frames[k++ % still.frames.size()]); };
+  if (ahead) start_next();
   for (auto _ : state) {
-    renderer->start(still.frames[k % still.frames.size()]);
-    MovieImage& image = images[k++ % 2];
+    start_next();
+    MovieImage& image = images[k % 2];
     renderer->finish(image);
     encoded.get();
     encoded = std::async(std::launch::async, [&] { movie->write(image); });
