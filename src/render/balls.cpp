@@ -44,7 +44,7 @@ void Balls::mark(Squares& squares) {
 
 void Balls::take(const Squares& squares, double opacity, Texel* texels, const RowTaken& taken) {
   team_->for_each(strips_.size(), [&](std::size_t k) { strips_[k].pixels.take(squares, opacity, texels); });
-  for (int row = 0; row < squares.rows(); ++row) taken(row);
+  team_->for_each(static_cast<std::size_t>(squares.rows()), [&](std::size_t row) { taken(static_cast<int>(row)); });
 }
 
 }  // namespace weir

@@ -174,6 +174,15 @@ TEST_P(MoviePicture, DrawnOverAnotherIsWhatAFreshRendererDraws) {
   }
 }
 
+// Here llvmpipe draws, which is the processor.
+TEST(MoviePictures, ArePutTogetherByTheProcessorWhereNothingElseDraws) {
+  const Still still = blank(1);
+  const auto fitting = renderer_of(still, MovieBy::fitting);
+  if (fitting->gl_renderer().find("llvmpipe") == std::string::npos) GTEST_SKIP() << fitting->gl_renderer();
+  EXPECT_EQ(fitting->most_under_way(), renderer_of(still, MovieBy::processor)->most_under_way());
+  EXPECT_NE(fitting->most_under_way(), renderer_of(still, MovieBy::device)->most_under_way());
+}
+
 TEST(MoviePictures, AreTheSameWhoeverPutsThemTogether) {
   Still discs = dam_break();
   Still transparent = discs;
