@@ -1,5 +1,5 @@
 // A movie's picture, put together by the processor: particles over the background, texts on top, out comes Y'CbCr. Where
-// the device is the processor, this is what compose.frag does in a third of the time, and nothing has to be read back.
+// the device is the processor, this does what compose.frag does, in less time, and nothing has to be read back.
 #pragma once
 
 #include <cstdint>

@@ -31,7 +31,8 @@ class Renderer {
   virtual void draw(const Frame& frame, Image& image) = 0;
 
   // The same picture for a movie, in two halves so that the device draws one while the last is read: start() begins it,
-  // finish() waits for the one begun first. At most so many may be under way, two or, where that gains nothing, one.
+  // finish() waits for the one begun first. At most so many may be under way, two or, where that gains nothing, one; then nothing
+  // else may be drawn between the halves.
   virtual std::size_t most_under_way() const = 0;
   virtual void start(const Frame& frame) = 0;
   virtual void finish(MovieImage& image) = 0;

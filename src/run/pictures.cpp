@@ -31,10 +31,13 @@ class Pictures::AtWork {
   Span span_;
 };
 
-Pictures::Pictures(const Scene& scene, const StillLife& still_life, const DeviceChoice& device) : scene_(scene) {
+Pictures::Pictures(const Scene& scene, const StillLife& still_life, std::int64_t particles, const DeviceChoice& device)
+    : scene_(scene) {
   for (const double time : scene.output.stills) stills_.push_back(frame_at(scene, time));
   std::sort(stills_.begin(), stills_.end());
-  for (int i = 0; i < frame_buffers; ++i) free_frames_.push(Frame{});
+  const std::int64_t fit =
+      frame_bytes / (static_cast<std::int64_t>(sizeof(glm::vec4)) * std::max<std::int64_t>(particles, 1));
+  for (std::int64_t i = std::clamp(fit, least_frames, most_frames); i > 0; --i) free_frames_.push(Frame{});
 
   draw_on_calling_thread();
   std::promise<std::string> ready;

@@ -41,8 +41,9 @@ class Pictures {
  public:
   static constexpr int most_png_workers = 4;  // beyond that the solver starves
 
-  // Starts the drawing thread and makes the renderer on it, from what must live until await_device() returns.
-  Pictures(const Scene& scene, const StillLife& still_life, const DeviceChoice& device);
+  // Starts the drawing thread and makes the renderer on it, from what must live until await_device() returns. Frames will
+  // have so many particles.
+  Pictures(const Scene& scene, const StillLife& still_life, std::int64_t particles, const DeviceChoice& device);
   ~Pictures();
   Pictures(const Pictures&) = delete;
   Pictures& operator=(const Pictures&) = delete;
@@ -78,8 +79,11 @@ class Pictures {
     double time = 0;  // s
     std::filesystem::path file;
   };
-  // Frames in flight: one being drawn, one waiting, one being filled.
-  static constexpr int frame_buffers = 3;
+  // Frames in flight: one being drawn, one waiting, one being filled. Of few particles more, for those that wait while the
+  // device starts and shaders are compiled.
+  static constexpr std::int64_t least_frames = 3;
+  static constexpr std::int64_t most_frames = 8;
+  static constexpr std::int64_t frame_bytes = 32 << 20;  // of all of them, beyond the least
   // Movie pictures: one being read, one encoded, one waiting.
   static constexpr int movie_buffers = 3;
   // Images beyond those that the PNG workers hold: one being drawn, one waiting.

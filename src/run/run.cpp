@@ -106,7 +106,7 @@ void Session::open() {
                                 options_.instruction_set ? *options_.instruction_set : default_instruction_set());
   if (draws(scene_)) {
     const StillLife still_life = simulation_->still_life();
-    pictures_.emplace(scene_, still_life, options_.device);
+    pictures_.emplace(scene_, still_life, simulation_->fluid_particles(), options_.device);
     simulation_->give_way_to(pictures_->at_work());
     step_ahead();
     try {

@@ -55,7 +55,7 @@ class FakeSimulation final : public Simulation {
   std::int64_t frame_index() const override { return step_ % steps_per_frame == 0 ? step_ / steps_per_frame : -1; }
   void use_threads(int) override {}
   void give_way_to(const std::atomic<int>& others) override { others_ = &others; }
-  std::int64_t fluid_particles() const override { return 1; }
+  std::int64_t fluid_particles() const override { return behaviour_now.particles; }
   std::int64_t wall_particles() const override { return 0; }
   void fill(Frame& frame) override {
     frame.index = frame_index();

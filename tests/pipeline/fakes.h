@@ -13,6 +13,7 @@
 namespace weir {
 
 struct FakeBehaviour {
+  std::int64_t particles = 1;
   std::int64_t diverge_in_step = -1;
   bool no_device = false;
   std::chrono::milliseconds device_time{0};  // until there is one, or none
