@@ -204,8 +204,9 @@ void DiscPixels::show(std::span<const glm::vec4> particles, const glm::vec4& sca
     const float y = particle.y * scale.y + offset.y;
     const float place = particle.w * scale.w + offset.w;
     // Written so that what is not a number is left out.
-    if (x > -reach_ && x < right_end && y > -reach_ && y < lower_end && place == place)
-      discs_.push_back({x, y, static_cast<std::int32_t>(std::clamp(place, 0.0f, 255.0f) + 0.5f)});
+    if (!(x > -reach_ && x < right_end && y > -reach_ && y < lower_end && place == place)) continue;
+    const float above_nearest = std::clamp(place, 0.0f, 255.0f) + 0.5f;
+    discs_.push_back({x, y, static_cast<std::int32_t>(above_nearest)});
   }
 }
 

@@ -52,8 +52,8 @@ WEIR_INLINE void color_block(const Part& part, int column, int row, Colors& colo
   for (int channel = 0; channel < 3; ++channel) channel_of(pixels, channel, colors[channel]);
   const bool within = column >= part.left;
   if (const Texel* particles = within ? part.particles : part.left_particles) {
-    const int place = (row - part.top) * square_blocks + (within ? column - part.left : square_blocks - 1);
-    std::memcpy(&pixels, particles + place * block_texels, sizeof(pixels));
+    const int block = (row - part.top) * square_blocks + (within ? column - part.left : square_blocks - 1);
+    std::memcpy(&pixels, particles + static_cast<std::size_t>(block) * block_texels, sizeof(pixels));
     lay_over(pixels, colors);
   }
   if (part.texts != nullptr) {
