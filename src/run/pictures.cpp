@@ -157,7 +157,7 @@ void Pictures::draw_movie(Renderer& renderer, const Frame& frame) {
   std::optional<MovieImage> image = free_movie_images_.pop();
   if (!image) return;
   {
-    const AtWork work(*this, &PictureTimes::render, "draw");
+    const AtWork work(*this, &PictureTimes::render, "begin picture");
     renderer.start(frame);
   }
   under_way_.push_back(std::move(*image));
@@ -169,7 +169,7 @@ void Pictures::pass_on_movie(Renderer& renderer) {
   MovieImage image = std::move(under_way_.front());
   under_way_.pop_front();
   {
-    const AtWork work(*this, &PictureTimes::render, "read");
+    const AtWork work(*this, &PictureTimes::render, "finish picture");
     renderer.finish(image);
   }
   movie_images_.push(std::move(image));

@@ -276,9 +276,9 @@ TEST_F(Stages, AreInTheTraceOnTheirThreads) {
     if (event["ph"] == "M") threads[event["tid"]] = event["args"]["name"];
   for (const auto& event : events)
     if (event["ph"] == "X") spans.emplace(threads[event["tid"]], event["name"]);
-  for (const auto& [thread, span] :
-       {std::pair("drawing", "start device"), std::pair("drawing", "draw"), std::pair("drawing", "read"),
-        std::pair("drawing", "draw"), std::pair("encoding", "encode"), std::pair("encoding", "finish movie")})
+  for (const auto& [thread, span] : {std::pair("drawing", "start device"), std::pair("drawing", "begin picture"),
+                                     std::pair("drawing", "finish picture"), std::pair("drawing", "draw"),
+                                     std::pair("encoding", "encode"), std::pair("encoding", "finish movie")})
     EXPECT_EQ(spans.count({thread, span}), 1U) << thread << " " << span;
   EXPECT_EQ(spans.count({"png 1", "write PNG"}) + spans.count({"png 2", "write PNG"}), 1U);
 }
