@@ -1,4 +1,4 @@
-// Particles as pixels of the processor's making, which the device lays over the background.
+// Particles as pixels of the processor's making, which are then laid over the background.
 #pragma once
 
 #include <functional>
