@@ -14,7 +14,7 @@
 #include "cli/wall_time.h"
 #include "core/error.h"
 #include "core/stopwatch.h"
-#include "core/team.h"
+#include "core/thread_pool.h"
 #include "run/run_folder.h"
 #include "scene/reader.h"
 

@@ -5,7 +5,7 @@
 #include "cli/terminal.h"
 #include "cli/wall_time.h"
 #include "core/stopwatch.h"
-#include "core/team.h"
+#include "core/thread_pool.h"
 #include "run/run_folder.h"
 #include "scene/advice.h"
 #include "scene/check.h"

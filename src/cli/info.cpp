@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "cli/commands.h"
-#include "core/team.h"
+#include "core/thread_pool.h"
 #include "output/sink.h"
 #include "render/renderer.h"
 #include "simd/instruction_set.h"

@@ -14,7 +14,7 @@ namespace weir {
 namespace {
 
 const std::map<std::string, void (*)(const ReportOptions&)>& reports() {
-  static const std::map<std::string, void (*)(const ReportOptions&)> table{{"seed-a", report_seed_a},
+  static const std::map<std::string, void (*)(const ReportOptions&)> table{{"hinsch2024", report_hinsch2024},
                                                                            {"speed", report_speed}};
   return table;
 }
@@ -43,7 +43,7 @@ ExitCode write_report(const ReportCommand& options) {
 void add_report(CLI::App& program, Action& action) {
   CLI::App* command = program.add_subcommand("report", "Figures and tables of the studies, as CSV, SVG and PNG");
   const auto options = std::make_shared<ReportCommand>();
-  command->add_option("name", options->name, "Which: seed-a or speed")
+  command->add_option("name", options->name, "Which: hinsch2024 or speed")
       ->type_name("NAME")
       ->required()
       ->check(CLI::IsMember(&reports()).description(""));

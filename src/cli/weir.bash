@@ -28,7 +28,7 @@ _weir() {
   if [[ $word == -* ]]; then
     mapfile -t COMPREPLY < <(compgen -W "$options" -- "$word")
   elif [[ $command == report ]]; then
-    mapfile -t COMPREPLY < <(compgen -W "seed-a speed" -- "$word")
+    mapfile -t COMPREPLY < <(compgen -W "hinsch2024 speed" -- "$word")
   elif [[ $command == run || $command == check || $command == batch ]]; then
     mapfile -t COMPREPLY < <(compgen -f -X '!*.yaml' -- "$word"; compgen -d -S / -- "$word")
   else

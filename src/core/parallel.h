@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/team.h"
+#include "core/thread_pool.h"
 
 namespace weir {
 
@@ -16,8 +16,8 @@ inline std::size_t block_count(std::size_t n) { return (n + block_size - 1) / bl
 
 // body(block, begin, end) for each block of 0 .. n, in any order. The body must not throw.
 template <class Body>
-void parallel_blocks(std::size_t n, Team& team, const Body& body) {
-  team.for_each(block_count(n), [&](std::size_t b) {
+void parallel_blocks(std::size_t n, ThreadPool& pool, const Body& body) {
+  pool.for_each(block_count(n), [&](std::size_t b) {
     const std::size_t begin = b * block_size;
     body(b, begin, std::min(n, begin + block_size));
   });
@@ -25,12 +25,12 @@ void parallel_blocks(std::size_t n, Team& team, const Body& body) {
 
 // The blocks' results combined in their order: combine(total, part), part = map(begin, end).
 template <class Result, class Map, class Combine>
-Result parallel_reduce(std::size_t n, Team& team, const Result& start, const Map& map, const Combine& combine) {
+Result parallel_reduce(std::size_t n, ThreadPool& pool, const Result& start, const Map& map, const Combine& combine) {
   struct Part {
     Result value;  // a struct of its own, so that Result may be bool
   };
   std::vector<Part> parts(block_count(n), Part{start});
-  parallel_blocks(n, team,
+  parallel_blocks(n, pool,
                   [&](std::size_t b, std::size_t begin, std::size_t end) { parts[b].value = map(begin, end); });
   Result total = start;
   for (const Part& part : parts) total = combine(total, part.value);

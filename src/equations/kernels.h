@@ -18,7 +18,7 @@ namespace weir {
 
 constexpr double support_per_h = 2;  // support_radius / h, for every kernel here
 
-// Typical h/dx: 1.0 (seed A) to 1.5.
+// Typical h/dx: 1.0 (Hinsch 2024) to 1.5.
 template <int Dim>
 struct CubicSpline {
   // Normalisation, m^-Dim. [Hinsch24 ch. 4.1, alpha]

@@ -65,7 +65,7 @@ struct MorrisViscosity {
   }
 };
 
-// What Monaghan's form and the seed's share: factor m_j / rho (u_ij . x_ij) / (r^2 + softening) grad W_ij, m/s^2, whose
+// What Monaghan's form and Hinsch's share: factor m_j / rho (u_ij . x_ij) / (r^2 + softening) grad W_ij, m/s^2, whose
 // factor has the minus of F_ij. [Monaghan05, central friction]
 template <int Dim, class R>
 Central<R> central_friction(const Pair<Dim, R>& pair, R factor, R rho, R softening) {
@@ -94,15 +94,15 @@ struct MonaghanViscosity {
   }
 };
 
-// As printed, with factor 2 where 2 (Dim + 2) is consistent: only 16 % of nu lap u at h = dx in 2D. For the seed's
+// As printed, with factor 2 where 2 (Dim + 2) is consistent: only 16 % of nu lap u at h = dx in 2D. For the paper's
 // pictures, not for accuracy.
-struct SeedAViscosity {
+struct Hinsch2024Viscosity {
   static constexpr bool action_is_reaction = false;  // rho_j alone
   Real factor;                                       // -2 nu, m^2/s
   Real softening;                                    // viscosity_softening h^2, m^2
 
   template <int Dim>
-  static SeedAViscosity of(double nu, double h) {
+  static Hinsch2024Viscosity of(double nu, double h) {
     return {static_cast<Real>(-2 * nu), static_cast<Real>(viscosity_softening * h * h)};
   }
 
@@ -117,11 +117,11 @@ struct SeedAViscosity {
   }
 };
 
-struct SeedASurfaceTension {
+struct Hinsch2024SurfaceTension {
   static constexpr bool action_is_reaction = true;
   Real factor;  // -s / m, m^(Dim + 2)/(kg s^2): strength, over the mass that F_ij holds
 
-  static SeedASurfaceTension of(double s, double m) { return {static_cast<Real>(-s / m)}; }
+  static Hinsch2024SurfaceTension of(double s, double m) { return {static_cast<Real>(-s / m)}; }
 
   // s grad W_ij, fluid neighbours only: points into the fluid where neighbours lack on one side. [Hinsch24 Alg. 2]
   template <int Dim, class R>

@@ -12,7 +12,7 @@
 
 namespace weir {
 
-// The share of its smoothing length that the fastest particle crosses in dt, 1; seed A's indicator is green while it is
+// The share of its smoothing length that the fastest particle crosses in dt, 1; Hinsch's indicator is green while it is
 // at most lambda. [Hinsch24 ch. 6.6.2, CFL]
 inline double cfl_number(double dt, double v_max, double h) { return dt * v_max / h; }
 

@@ -20,7 +20,7 @@ struct Frame {
 };
 
 // Walls, and the sizes that a picture needs; the same for all frames of a run.
-struct StillLife {
+struct StaticScene {
   std::vector<glm::vec3> walls;   // m
   double particle_spacing = 0;    // dx, m
   double max_speed_estimate = 0;  // m/s, of the whole run, from the scene alone: what `range: auto` for speed means

@@ -21,10 +21,10 @@ Balls::Balls(int width, int height, int threads) : width_(width), height_(height
 
 void Balls::show(std::span<const glm::vec4> particles, const Projection& projection, const BallStyle& style,
                  const Colormap& colors) {
-  if (!team_) team_ = std::make_unique<Team>(threads_);
+  if (!pool_) pool_ = std::make_unique<ThreadPool>(threads_);
   const BallView view(projection, style.radius, style.range);
   groups_.resize((particles.size() + BallGroup::most - 1) / BallGroup::most);
-  team_->for_each((groups_.size() + groups_at_once - 1) / groups_at_once, [&](std::size_t part) {
+  pool_->for_each((groups_.size() + groups_at_once - 1) / groups_at_once, [&](std::size_t part) {
     for (std::size_t k = groups_at_once * part; k < std::min(groups_at_once * (part + 1), groups_.size()); ++k) {
       const std::size_t first = BallGroup::most * k;
       groups_[k] = group_of(particles.subspan(first, std::min(BallGroup::most, particles.size() - first)), view, width_,
@@ -32,7 +32,7 @@ void Balls::show(std::span<const glm::vec4> particles, const Projection& project
     }
   });
   const double typical_reach = projection.pixels_per_metre() * style.radius;
-  team_->for_each(strips_.size(), [&](std::size_t k) {
+  pool_->for_each(strips_.size(), [&](std::size_t k) {
     strips_[k].pixels.begin(style.radius, projection.focal, typical_reach);
     strips_[k].balls.add_to(strips_[k].pixels, particles, groups_, view, colors);
   });
@@ -43,8 +43,8 @@ void Balls::mark(Squares& squares) {
 }
 
 void Balls::take(const Squares& squares, double opacity, Texel* texels, const RowTaken& taken) {
-  team_->for_each(strips_.size(), [&](std::size_t k) { strips_[k].pixels.take(squares, opacity, texels); });
-  team_->for_each(static_cast<std::size_t>(squares.rows()), [&](std::size_t row) { taken(static_cast<int>(row)); });
+  pool_->for_each(strips_.size(), [&](std::size_t k) { strips_[k].pixels.take(squares, opacity, texels); });
+  pool_->for_each(static_cast<std::size_t>(squares.rows()), [&](std::size_t row) { taken(static_cast<int>(row)); });
 }
 
 }  // namespace weir

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "core/team.h"
+#include "core/thread_pool.h"
 #include "render/ball_groups.h"
 #include "render/ball_pixels.h"
 #include "render/colormap.h"
@@ -43,7 +43,7 @@ class Balls final : public ParticlePixels {
   int width_;
   int height_;
   int threads_;
-  std::unique_ptr<Team> team_;  // made with the first balls
+  std::unique_ptr<ThreadPool> pool_;  // made with the first balls
   std::vector<BallGroup> groups_;
   std::vector<Strip> strips_;
 };

@@ -66,16 +66,16 @@ View3D between(const View3D& from, const View3D& to, double along) {
 
 }  // namespace
 
-Bounds bounds_of(const Scene& scene, const StillLife& still_life) {
+Bounds bounds_of(const Scene& scene, const StaticScene& static_scene) {
   Bounds fluid = nothing();
   for (const Volume& volume : scene.fluid.volumes)
     std::visit([&](const auto& shape) { include(fluid, shape); }, volume.shape);
   Bounds walls = nothing();
-  for (const glm::vec3& wall : still_life.walls) include(walls, Vec3(wall));
+  for (const glm::vec3& wall : static_scene.walls) include(walls, Vec3(wall));
 
   Bounds all = fluid;
   if (walls.min.x <= walls.max.x) {
-    const Vec3 radius(0.5 * still_life.particle_spacing);
+    const Vec3 radius(0.5 * static_scene.particle_spacing);
     include(all, walls.min - radius);
     include(all, walls.max + radius);
   } else if (fluid.min.x <= fluid.max.x) {
@@ -90,13 +90,13 @@ Bounds bounds_of(const Scene& scene, const StillLife& still_life) {
   return all;
 }
 
-CameraPath::CameraPath(const Scene& scene, const StillLife& still_life, const PixelBox& content)
+CameraPath::CameraPath(const Scene& scene, const StaticScene& static_scene, const PixelBox& content)
     : keyframes_(scene.camera.keyframes), width_(scene.render.size[0]), height_(scene.render.size[1]) {
   std::stable_sort(keyframes_.begin(), keyframes_.end(),
                    [](const CameraKeyframe& a, const CameraKeyframe& b) { return a.at < b.at; });
   if (!keyframes_.empty()) return;
   if (std::holds_alternative<AutoView>(scene.camera.view)) {
-    const Bounds bounds = bounds_of(scene, still_life);
+    const Bounds bounds = bounds_of(scene, static_scene);
     fitted_ = scene.dimension == 2 ? fit_2d(bounds, content) : fit_3d(bounds, content);
   } else {
     fitted_ = projection_of(scene.camera.view, width_, height_);

@@ -9,12 +9,12 @@ namespace weir {
 
 // What an automatic view shows: walls with their particles' size, and the fluid at the start. Without walls there is no
 // telling where the fluid goes; then a quarter of its larger extent is added on every side.
-Bounds bounds_of(const Scene& scene, const StillLife& still_life);
+Bounds bounds_of(const Scene& scene, const StaticScene& static_scene);
 
 class CameraPath {
  public:
   // `content` is the part of the picture that the overlay leaves to the scene; only an automatic view heeds it.
-  CameraPath(const Scene& scene, const StillLife& still_life, const PixelBox& content);
+  CameraPath(const Scene& scene, const StaticScene& static_scene, const PixelBox& content);
 
   Projection at(double time) const;  // run time, s
   bool moves() const { return keyframes_.size() > 1; }

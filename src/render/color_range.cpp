@@ -16,9 +16,9 @@ double bulk_modulus(const Scene& scene) { return stiffness_of_state(sound_speed(
 
 }  // namespace
 
-std::array<double, 2> color_range(const Scene& scene, const StillLife& still_life) {
+std::array<double, 2> color_range(const Scene& scene, const StaticScene& static_scene) {
   if (scene.render.color.range) return *scene.render.color.range;
-  const double speed = still_life.max_speed_estimate;
+  const double speed = static_scene.max_speed_estimate;
   // rho0 g H for a column that collapses from height H with speed sqrt(2 g H).
   const double pressure = dynamic_pressure(scene.fluid.rest_density, speed);
   switch (scene.render.color.by) {

@@ -54,18 +54,18 @@ GlRenderer::Drawing::Drawing(int width, int height, bool transparent, int thread
   if (transparent) movie_background.emplace(width, height);
 }
 
-GlRenderer::GlRenderer(const Scene& scene, const StillLife& still_life, const DeviceChoice& choice, int threads)
+GlRenderer::GlRenderer(const Scene& scene, const StaticScene& static_scene, const DeviceChoice& choice, int threads)
     : scene_(scene),
-      walls_(still_life.walls),
+      walls_(static_scene.walls),
       width_(scene.render.size[0]),
       height_(scene.render.size[1]),
       palette_(palette(scene.render.theme)),
       transparent_(scene.render.transparent),
-      fluid_style_{0.5 * still_life.particle_spacing, color_range(scene, still_life), colormap(scene.render.color.map),
-                   1},
-      wall_style_{0.5 * still_life.particle_spacing, {0, 1}, only(wall_color), 1},
-      overlay_(scene, color_range(scene, still_life)),
-      camera_(scene, still_life, overlay_.content()),
+      fluid_style_{0.5 * static_scene.particle_spacing, color_range(scene, static_scene),
+                   colormap(scene.render.color.map), 1},
+      wall_style_{0.5 * static_scene.particle_spacing, {0, 1}, only(wall_color), 1},
+      overlay_(scene, color_range(scene, static_scene)),
+      camera_(scene, static_scene, overlay_.content()),
       context_(EglContext::open(choice)),
       composes_(choice.movie_by == MovieBy::fitting ? context_->is_processor()
                                                     : choice.movie_by == MovieBy::processor) {

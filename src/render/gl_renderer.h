@@ -21,7 +21,7 @@ namespace weir {
 
 class GlRenderer final : public Renderer {
  public:
-  GlRenderer(const Scene& scene, const StillLife& still_life, const DeviceChoice& choice, int threads);
+  GlRenderer(const Scene& scene, const StaticScene& static_scene, const DeviceChoice& choice, int threads);
   ~GlRenderer() override;
 
   void draw(const Frame& frame, Image& image) override;

@@ -13,7 +13,7 @@ struct Rgb {
   std::uint8_t b = 0;
 };
 
-// Seed A's yellow [Hinsch24 ch. 6], a little deeper than viridis' brightest, so that it shows on white and is not taken
+// Hinsch's yellow [Hinsch24 ch. 6], a little deeper than viridis' brightest, so that it shows on white and is not taken
 // for fast fluid.
 inline constexpr std::uint32_t wall_color = 0xf2b705;
 

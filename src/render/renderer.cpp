@@ -30,10 +30,10 @@ DeviceChoice device_choice(const std::string& requested) {
   return {};
 }
 
-std::unique_ptr<Renderer> make_renderer(const Scene& scene, const StillLife& still_life, const DeviceChoice& choice,
+std::unique_ptr<Renderer> make_renderer(const Scene& scene, const StaticScene& static_scene, const DeviceChoice& choice,
                                         int threads) {
-  using Make = Renderer*(const Scene&, const StillLife&, const DeviceChoice&, int);
-  return std::unique_ptr<Renderer>(render_function<Make>("weir_make_renderer")(scene, still_life, choice, threads));
+  using Make = Renderer*(const Scene&, const StaticScene&, const DeviceChoice&, int);
+  return std::unique_ptr<Renderer>(render_function<Make>("weir_make_renderer")(scene, static_scene, choice, threads));
 }
 
 void draw_on_calling_thread() {

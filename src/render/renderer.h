@@ -56,7 +56,7 @@ DeviceChoice device_choice(const std::string& requested);  // `requested`, else 
 
 // Loads the module. `threads` of the processor make pixels, as for thread_count(). Throws DeviceError with every display and
 // device tried.
-std::unique_ptr<Renderer> make_renderer(const Scene& scene, const StillLife& still_life, const DeviceChoice& choice,
+std::unique_ptr<Renderer> make_renderer(const Scene& scene, const StaticScene& static_scene, const DeviceChoice& choice,
                                         int threads = 0);
 // Devices that are the processor use the calling thread alone from now on: who has other work for the rest knows then what
 // drawing takes. To be called before there are threads that read the environment; what that says already stays.
@@ -64,6 +64,6 @@ void draw_on_calling_thread();
 std::vector<DeviceTrial> list_devices();
 
 // The colour range that pictures of this scene use, in the unit of the quantity (fixed, or estimated from the scene).
-std::array<double, 2> color_range(const Scene& scene, const StillLife& still_life);
+std::array<double, 2> color_range(const Scene& scene, const StaticScene& static_scene);
 
 }  // namespace weir

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "equations/kernels.h"
-#include "report/seed_a.h"
+#include "report/hinsch2024.h"
 
 namespace weir {
 

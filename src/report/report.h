@@ -1,4 +1,4 @@
-// Figures and tables of the seeds and of the studies, made by running the shipped scenes.
+// Figures and tables of the papers and of the studies, made by running the shipped scenes.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +18,7 @@ struct ReportOptions {
 
 // Figures 4.1, 4.2, 7.2, 7.3, 7.4 and 8.1 of J. Hinsch, A Simple 2D SPH Fluid Solver, University of Freiburg, 2024, as
 // figure_4_1.csv, .svg, .pdf and .png and so on in the folder. Throws OutputError, DeviceError, SimulationError.
-void report_seed_a(const ReportOptions& options);
+void report_hinsch2024(const ReportOptions& options);
 
 // How fast this machine solves, by dimension, particle number and threads; in developed flow; what absent terms save; seed
 // A's scenes against real time: speed.csv, .svg, .pdf and .png, developed_flow.csv, real_time.csv, savings.csv. Some

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "core/stopwatch.h"
-#include "core/team.h"
+#include "core/thread_pool.h"
+#include "report/hinsch2024.h"
 #include "report/median.h"
-#include "report/seed_a.h"
 #include "sph/wcsph.h"
 
 namespace weir {
@@ -47,7 +47,7 @@ LinePlot search_figure(const Scene& tower, const std::vector<std::int64_t>& part
   plot.y = {"time in ms", "time[ms]", true};
   plot.legend = "of";
   plot.series_column = "case";
-  Team team(thread_count(options.threads));
+  ThreadPool pool(thread_count(options.threads));
   for (const auto& [search, name] :
        {std::pair{NeighbourSearch::index_sort, "index sort"}, std::pair{NeighbourSearch::naive, "naive"}}) {
     Series alone{name, {}, {}};
@@ -55,7 +55,7 @@ LinePlot search_figure(const Scene& tower, const std::vector<std::int64_t>& part
     for (const std::int64_t n : particles) {
       Scene scene = tower_of(tower, n);
       scene.solver.neighbour_search = search;
-      Wcsph<2> solver(scene, sample(scene), team);
+      Wcsph<2> solver(scene, sample(scene), pool);
       const double search_time = seconds_of([&] { solver.relist(); });
       const double dt = 0.1 * smoothing_length(scene) / sound_speed(scene);
       const double step_time = seconds_of([&] {

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "core/stopwatch.h"
-#include "core/team.h"
+#include "core/thread_pool.h"
 #include "core/trace.h"
 #include "report/median.h"
 #include "report/scenes.h"
@@ -154,7 +154,7 @@ double serial_share(Simulation& simulation, double seconds) {
   const Recording recording;
   const Stopwatch watch;
   for (int step = 0; step < least_steps || watch.seconds() < seconds; ++step) simulation.step();
-  return 1 - Trace::total(Team::loop_span) / watch.seconds();
+  return 1 - Trace::total(ThreadPool::loop_span) / watch.seconds();
 }
 
 std::string developed_flow_csv(const SpeedOptions& speed, const ReportOptions& options) {
@@ -226,7 +226,9 @@ std::string savings_csv(const SpeedOptions& speed, const ReportOptions& options)
       cases.push_back(std::move(each));
     };
     compare("viscosity", [](Case& each) { each.with.fluid.viscosity = {ViscosityModel::morris, 0}; });
-    compare("surface tension", [](Case& each) { each.with.fluid.surface_tension = {SurfaceTensionModel::seed_a, 0}; });
+    compare("surface tension", [](Case& each) {
+      each.with.fluid.surface_tension = {SurfaceTensionModel::hinsch2024, 0};
+    });
     compare("walls out of reach", [&](Case& each) {
       // Fluid alone, and beside it a tank that it never meets.
       each.without.walls.clear();

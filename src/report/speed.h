@@ -13,7 +13,7 @@
 
 namespace weir {
 
-// A column of fluid beside a wall in a tank that is open at the top: seed A's dam break in about `particles` particles,
+// A column of fluid beside a wall in a tank that is open at the top: Hinsch's dam break in about `particles` particles,
 // 1 m high; in 3D half as deep. Wendland C2 with h = 1.3 dx (21 neighbours) in 2D and 1.2 dx (58) in 3D, sound speed
 // 10 times that of the fall, viscosity 0.01 h c0. Nothing is drawn.
 Scene speed_scene(int dimension, std::int64_t particles);
@@ -39,7 +39,7 @@ struct SpeedOptions {
   std::vector<std::int64_t> particles{1000, 10000, 100000, 1000000, 10000000};
   std::int64_t developed_particles = 100000;  // of the studies in developed flow; the front has then run 2 heights
   double seconds = 2;                         // per measurement
-  double real_time_duration = 2;              // s that the scenes of seed A run
+  double real_time_duration = 2;              // s that the scenes of Hinsch 2024 run
 };
 
 LinePlot speed_figure(const SpeedOptions& speed, const ReportOptions& options);
@@ -47,7 +47,7 @@ std::string developed_flow_csv(const SpeedOptions& speed, const ReportOptions& o
 // Each pair of cases in turn, five times; the median ratio. The left case has what the right one lacks, switched to
 // nothing: both compute the same.
 std::string savings_csv(const SpeedOptions& speed, const ReportOptions& options);
-// Simulated time over wall time of seed A's two scenes for k = 1e4, 1e5 and 1e6 Pa.
+// Simulated time over wall time of Hinsch's two scenes for k = 1e4, 1e5 and 1e6 Pa.
 std::string real_time_csv(const SpeedOptions& speed, const ReportOptions& options);
 
 }  // namespace weir

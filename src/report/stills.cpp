@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <set>
 
-#include "report/seed_a.h"
+#include "report/hinsch2024.h"
 #include "scene/names.h"
 #include "sph/simulation.h"
 
@@ -27,8 +27,8 @@ std::string_view unit(ColorBy quantity) {
   return "";
 }
 
-std::string title(const Scene& scene, const StillLife& still_life, std::int64_t particles) {
-  const auto range = color_range(scene, still_life);
+std::string title(const Scene& scene, const StaticScene& static_scene, std::int64_t particles) {
+  const auto range = color_range(scene, static_scene);
   const Coloring& color = scene.render.color;
   return fmt::format("{}: {} particles, coloured by {} from {:.4g} to {:.4g} {} ({})", scene.title, particles,
                      name_of(color.by), range[0], range[1], unit(color.by), name_of(color.map));
@@ -45,10 +45,10 @@ Stills stills_figure(const Scene& dam_break, const ReportOptions& options) {
   for (std::int64_t k = 0; k < count; ++k) wanted.insert((2 * k * last + count - 1) / (2 * (count - 1)));
 
   const std::unique_ptr<Simulation> simulation = make_simulation(scene, options.threads);
-  const StillLife still_life = simulation->still_life();
-  const std::unique_ptr<Renderer> renderer = make_renderer(scene, still_life, options.device);
+  const StaticScene static_scene = simulation->static_scene();
+  const std::unique_ptr<Renderer> renderer = make_renderer(scene, static_scene, options.device);
   Stills stills;
-  stills.grid.title = title(scene, still_life, simulation->fluid_particles());
+  stills.grid.title = title(scene, static_scene, simulation->fluid_particles());
   stills.csv = "time[s],max_speed[m/s],mean_density_error[1],kinetic_energy[J],potential_energy[J]\n";
   Frame frame;
   while (true) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/seed_a.h"
+#include "report/hinsch2024.h"
 #include "sph/simulation.h"
 
 namespace weir {

@@ -31,7 +31,8 @@ class Pictures::AtWork {
   Span span_;
 };
 
-Pictures::Pictures(const Scene& scene, const StillLife& still_life, std::int64_t particles, const DeviceChoice& device)
+Pictures::Pictures(const Scene& scene, const StaticScene& static_scene, std::int64_t particles,
+                   const DeviceChoice& device)
     : scene_(scene) {
   for (const double time : scene.output.stills) stills_.push_back(frame_at(scene, time));
   std::sort(stills_.begin(), stills_.end());
@@ -42,9 +43,9 @@ Pictures::Pictures(const Scene& scene, const StillLife& still_life, std::int64_t
   draw_on_calling_thread();
   std::promise<std::string> ready;
   made_ = ready.get_future();
-  drawing_ = std::thread([this, &still_life, &device, promise = std::move(ready)]() mutable {
+  drawing_ = std::thread([this, &static_scene, &device, promise = std::move(ready)]() mutable {
     Trace::name_thread("drawing");
-    if (const std::unique_ptr<Renderer> renderer = start_device(still_life, device, std::move(promise)))
+    if (const std::unique_ptr<Renderer> renderer = start_device(static_scene, device, std::move(promise)))
       draw_frames(*renderer);
   });
   try {
@@ -109,13 +110,13 @@ void Pictures::fail(std::exception_ptr error) {
 }
 
 // None if there is no device; then whoever waits for it knows why.
-std::unique_ptr<Renderer> Pictures::start_device(const StillLife& still_life, const DeviceChoice& device,
+std::unique_ptr<Renderer> Pictures::start_device(const StaticScene& static_scene, const DeviceChoice& device,
                                                  std::promise<std::string> ready) {
   std::unique_ptr<Renderer> renderer;
   ++at_work_;
   try {
     const Span span("start device");
-    renderer = make_renderer(scene_, still_life, device, 1);
+    renderer = make_renderer(scene_, static_scene, device, 1);
     ready.set_value(renderer->gl_renderer());
   } catch (...) {
     ready.set_exception(std::current_exception());

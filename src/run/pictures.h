@@ -43,7 +43,7 @@ class Pictures {
 
   // Starts the drawing thread and makes the renderer on it, from what must live until await_device() returns. Frames will
   // have so many particles.
-  Pictures(const Scene& scene, const StillLife& still_life, std::int64_t particles, const DeviceChoice& device);
+  Pictures(const Scene& scene, const StaticScene& static_scene, std::int64_t particles, const DeviceChoice& device);
   ~Pictures();
   Pictures(const Pictures&) = delete;
   Pictures& operator=(const Pictures&) = delete;
@@ -89,7 +89,7 @@ class Pictures {
   // Images beyond those that the PNG workers hold: one being drawn, one waiting.
   static constexpr int image_buffers = 2;
 
-  std::unique_ptr<Renderer> start_device(const StillLife& still_life, const DeviceChoice& device,
+  std::unique_ptr<Renderer> start_device(const StaticScene& static_scene, const DeviceChoice& device,
                                          std::promise<std::string> ready);
   void draw_frames(Renderer& renderer);
   void draw_one(Renderer& renderer, const Frame& frame);

@@ -9,7 +9,7 @@
 
 #include "core/sha256.h"
 #include "core/stopwatch.h"
-#include "core/team.h"
+#include "core/thread_pool.h"
 #include "core/trace.h"
 #include "output/file.h"
 #include "output/log.h"
@@ -105,8 +105,8 @@ void Session::open() {
   simulation_ = make_simulation(scene_, threads_,
                                 options_.instruction_set ? *options_.instruction_set : default_instruction_set());
   if (draws(scene_)) {
-    const StillLife still_life = simulation_->still_life();
-    pictures_.emplace(scene_, still_life, simulation_->fluid_particles(), options_.device);
+    const StaticScene static_scene = simulation_->static_scene();
+    pictures_.emplace(scene_, static_scene, simulation_->fluid_particles(), options_.device);
     simulation_->give_way_to(pictures_->at_work());
     step_ahead();
     try {
@@ -117,7 +117,7 @@ void Session::open() {
     }
     say(fmt::format("drawing with {}", pictures_->gl_renderer()));
     if (!scene_.render.color.range) {
-      const auto [low, high] = color_range(scene_, still_life);
+      const auto [low, high] = color_range(scene_, static_scene);
       say(fmt::format("colour range of {}: {:.4g} to {:.4g}, estimated from the scene", unit_of(scene_.render.color.by),
                       low, high));
     }

@@ -137,7 +137,7 @@ void describe(V& v, Volume& volume) {
 template <class V>
 void describe(V& v, Viscosity& viscosity) {
   v.field("model", viscosity.model,
-          Spec{.meaning = "form of the viscous term; seed_a is the printed form, kept for comparison"});
+          Spec{.meaning = "form of the viscous term; hinsch2024 is the printed form, kept for comparison"});
   v.field("kinematic", viscosity.kinematic,
           Spec{.meaning = "kinematic viscosity", .unit = "m^2/s", .range = not_negative});
 }

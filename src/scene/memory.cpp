@@ -43,7 +43,7 @@ double content(const Round& round, int dimension, double thick) {
 
 }  // namespace
 
-// Places of d dimensions, once more for the sort, and what goes with them:
+// Positions of d dimensions, once more for the sort, and what goes with them:
 //   4 x 4 d + 4 x 3   x and rest, twice; id, twice; order
 //   2 d + d           boxes of clusters (2 d floats for 4 particles), centres of groups (2 x d doubles for 16)
 double bytes_per_wall_particle(const Scene& scene) {

@@ -26,13 +26,13 @@ struct Names<ViscosityModel> {
   static constexpr std::array<Name<ViscosityModel>, 4> built{{{ViscosityModel::none, "none"},
                                                               {ViscosityModel::morris, "morris"},
                                                               {ViscosityModel::monaghan, "monaghan"},
-                                                              {ViscosityModel::seed_a, "seed_a"}}};
-  static constexpr Later<2> later{"artificial", "seed_b"};
+                                                              {ViscosityModel::hinsch2024, "hinsch2024"}}};
+  static constexpr Later<2> later{"artificial", "mueller2003"};
 };
 template <>
 struct Names<SurfaceTensionModel> {
   static constexpr std::array<Name<SurfaceTensionModel>, 2> built{
-      {{SurfaceTensionModel::none, "none"}, {SurfaceTensionModel::seed_a, "seed_a"}}};
+      {{SurfaceTensionModel::none, "none"}, {SurfaceTensionModel::hinsch2024, "hinsch2024"}}};
   static constexpr Later<0> later{};
 };
 template <>

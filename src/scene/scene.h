@@ -38,13 +38,13 @@ struct Volume {
   Vec3 angular_velocity{0};  // rad/s about the shape's centre at the start; 2D: z alone
 };
 
-enum class ViscosityModel { none, morris, monaghan, seed_a };
+enum class ViscosityModel { none, morris, monaghan, hinsch2024 };
 struct Viscosity {
   ViscosityModel model = ViscosityModel::morris;
   double kinematic = 1.0e-6;  // m^2/s
 };
 
-enum class SurfaceTensionModel { none, seed_a };
+enum class SurfaceTensionModel { none, hinsch2024 };
 struct SurfaceTension {
   SurfaceTensionModel model = SurfaceTensionModel::none;
   double coefficient = 0;  // s of [Hinsch24 Alg. 2], m^(d+2)/s^2

@@ -11,13 +11,13 @@ namespace weir {
 namespace {
 
 template <int Dim>
-TilesView<Dim> view_of(const Tiling<Dim>& tiling, const Places<Dim>& places, const std::vector<std::int32_t>& adjacent,
-                       const DisplacementBox<Dim>* moved) {
+TilesView<Dim> view_of(const Tiling<Dim>& tiling, const Positions<Dim>& positions,
+                       const std::vector<std::int32_t>& adjacent, const DisplacementBox<Dim>* moved) {
   TilesView<Dim> view;
   view.tiles = tiling.tiles().data();
   view.tile_count = static_cast<std::int32_t>(tiling.tiles().size());
   for (int d = 0; d < Dim; ++d) {
-    view.x[d] = places.x[d].data();
+    view.x[d] = positions.x[d].data();
     view.low[d] = tiling.low()[d].data();
     view.high[d] = tiling.high()[d].data();
   }
@@ -46,14 +46,14 @@ float closer_squared(const DisplacementBox<Dim>& a, const DisplacementBox<Dim>& 
 }  // namespace
 
 template <int Dim>
-Neighbours<Dim>::Neighbours(const Settings& settings, Team& team, WallParticles<Dim>& walls)
+Neighbours<Dim>::Neighbours(const Settings& settings, ThreadPool& pool, WallParticles<Dim>& walls)
     : settings_(settings),
       list_pairs_(loops_for<Dim>(settings.instruction_set, Terms{}).list_pairs),
-      team_(team),
+      pool_(pool),
       fluid_tiling_(
           TileLattice<Dim>(settings.particle_spacing, settings.support_radius + settings.skin, settings.particles)),
       wall_tiling_(fluid_tiling_.lattice()) {
-  wall_tiling_.sort(walls, team);
+  wall_tiling_.sort(walls, pool);
 }
 
 template <int Dim>
@@ -86,10 +86,10 @@ void Neighbours<Dim>::update(FluidParticles<Dim>& fluid, const WallParticles<Dim
 template <int Dim>
 void Neighbours<Dim>::sort(FluidParticles<Dim>& fluid) {
   const Span span("sort");
-  fluid_tiling_.sort(fluid, team_);
-  fluid.follow(fluid_tiling_, team_);
-  fluid_beside_ = fluid_tiling_.adjacent(fluid_tiling_, team_);
-  walls_beside_ = wall_tiling_.adjacent(fluid_tiling_, team_);
+  fluid_tiling_.sort(fluid, pool_);
+  fluid.follow(fluid_tiling_, pool_);
+  fluid_beside_ = fluid_tiling_.adjacent(fluid_tiling_, pool_);
+  walls_beside_ = wall_tiling_.adjacent(fluid_tiling_, pool_);
   const std::size_t tiles = fluid_tiling_.tiles().size();
   lists_.fluid.resize(tiles);
   lists_.walls.resize(tiles);
@@ -136,7 +136,7 @@ bool Neighbours<Dim>::still_right(std::size_t tile) const {
 template <int Dim>
 std::vector<std::int32_t> Neighbours<Dim>::wrong_tiles() const {
   std::vector<std::uint8_t> wrong(moved_.size());
-  parallel_blocks(wrong.size(), team_, [&](std::size_t, std::size_t begin, std::size_t end) {
+  parallel_blocks(wrong.size(), pool_, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t tile = begin; tile < end; ++tile) wrong[tile] = still_right(tile) ? 0 : 1;
   });
   std::vector<std::int32_t> tiles;
@@ -155,7 +155,7 @@ void Neighbours<Dim>::bound_clusters_around(const std::vector<std::int32_t>& til
       if (fluid_beside_[k] >= 0) near[static_cast<std::size_t>(fluid_beside_[k])] = 1;
     }
   }
-  team_.for_each(near.size(), [&](std::size_t tile) {
+  pool_.for_each(near.size(), [&](std::size_t tile) {
     if (near[tile] != 0) fluid_tiling_.bound_clusters(fluid, tile);
   });
 }
@@ -171,7 +171,7 @@ void Neighbours<Dim>::list(const std::vector<std::int32_t>& tiles, const FluidPa
   input.edge = static_cast<float>(fluid_tiling_.lattice().edge());
   input.columns = fluid_tiling_.lattice().columns();
   input.all_pairs = settings_.search == NeighbourSearch::naive;
-  team_.for_each(tiles.size(), [&](std::size_t k) {
+  pool_.for_each(tiles.size(), [&](std::size_t k) {
     thread_local IntBuffer scratch;
     const auto tile = static_cast<std::size_t>(tiles[k]);
     list_pairs_(input, tiles[k], lists_.fluid[tile], lists_.walls[tile], scratch);

@@ -28,7 +28,7 @@ class Neighbours {
     InstructionSet instruction_set = InstructionSet::baseline;
   };
   // Sorts the walls by space, once.
-  Neighbours(const Settings& settings, Team& team, WallParticles<Dim>& walls);
+  Neighbours(const Settings& settings, ThreadPool& pool, WallParticles<Dim>& walls);
 
   // The particles of a tile moved; a bound that only grows is as good as where each of them went.
   void follow(std::size_t tile, const DisplacementBox<Dim>& moved);
@@ -62,7 +62,7 @@ class Neighbours {
 
   Settings settings_;
   ListPairs<Dim> list_pairs_;
-  Team& team_;
+  ThreadPool& pool_;
   Tiling<Dim> fluid_tiling_;
   Tiling<Dim> wall_tiling_;
   PairLists lists_;

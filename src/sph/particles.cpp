@@ -3,14 +3,14 @@
 namespace weir {
 
 template <int Dim>
-void FluidParticles<Dim>::follow(const Tiling<Dim>& tiling, Team& team) {
+void FluidParticles<Dim>::follow(const Tiling<Dim>& tiling, ThreadPool& pool) {
   const std::size_t slots = tiling.slots() + group_size;  // the slack that whole registers may read
   density.resize(slots);
   pressure_term.resize(slots);
   for (int d = 0; d < Dim; ++d) {
     // The accelerations of before the sort are of no use any more: their memory takes the sorted velocities.
     acceleration[d].resize(slots);
-    team.for_each(tiling.tiles().size(), [&](std::size_t tile) {
+    pool.for_each(tiling.tiles().size(), [&](std::size_t tile) {
       const auto end = static_cast<std::size_t>(tiling.end_of_slots(tile));
       for (auto slot = static_cast<std::size_t>(tiling.tiles()[tile].begin); slot < end; ++slot) {
         const std::int32_t from = tiling.order()[slot];

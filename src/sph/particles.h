@@ -6,8 +6,8 @@
 #include <cstdint>
 
 #include "core/aligned.h"
-#include "core/team.h"
-#include "sph/places.h"
+#include "core/thread_pool.h"
+#include "sph/positions.h"
 #include "sph/tiling.h"
 
 namespace weir {
@@ -15,7 +15,7 @@ namespace weir {
 // Fluid. The arrays share one order of slots, which follows space and changes when particles are sorted. Empty slots
 // hold zero velocity.
 template <int Dim>
-struct FluidParticles : Places<Dim> {
+struct FluidParticles : Positions<Dim> {
   std::array<AlignedVector<float>, Dim> velocity;  // m/s
   std::size_t count = 0;                           // particles; slots() is a little more
 
@@ -27,8 +27,8 @@ struct FluidParticles : Places<Dim> {
   Vec<Dim> velocity_of(std::size_t slot) const { return of(velocity, slot); }
   Vec<Dim> acceleration_of(std::size_t slot) const { return of(acceleration, slot); }
 
-  // After the places were sorted: what travels with a particle follows, what is worked out anew gets its size.
-  void follow(const Tiling<Dim>& tiling, Team& team);
+  // After the positions were sorted: what travels with a particle follows, what is worked out anew gets its size.
+  void follow(const Tiling<Dim>& tiling, ThreadPool& pool);
 
  private:
   static Vec<Dim> of(const std::array<AlignedVector<float>, Dim>& values, std::size_t slot) {
@@ -38,9 +38,9 @@ struct FluidParticles : Places<Dim> {
   }
 };
 
-// Walls do not move and have no state: their particles are places alone.
+// Walls do not move and have no state: their particles are positions alone.
 template <int Dim>
-using WallParticles = Places<Dim>;
+using WallParticles = Positions<Dim>;
 
 extern template struct FluidParticles<2>;
 extern template struct FluidParticles<3>;

@@ -50,11 +50,11 @@ class SimulationIn final : public Simulation {
  public:
   SimulationIn(const Scene& scene, int threads, InstructionSet instruction_set)
       : scene_(scene),
-        team_(thread_count(threads)),
+        pool_(thread_count(threads)),
         sampling_(sample(scene)),
         clock_(scene_),
         timeline_(scene_),
-        solver_(scene_, sampling_, team_, instruction_set),
+        solver_(scene_, sampling_, pool_, instruction_set),
         walls_(static_cast<std::int64_t>(sampling_.wall_positions.size())) {
     // Where everything began is needed again for a reset alone.
     const bool resets = std::any_of(scene_.timeline.begin(), scene_.timeline.end(),
@@ -68,8 +68,8 @@ class SimulationIn final : public Simulation {
   double simulated_time() const override { return simulated_time_; }
   std::int64_t steps() const override { return steps_; }
   std::int64_t frame_index() const override { return clock_.frame_index(); }
-  void use_threads(int most) override { team_.use_at_most(most); }
-  void give_way_to(const std::atomic<int>& others) override { team_.give_way_to(others); }
+  void use_threads(int most) override { pool_.use_at_most(most); }
+  void give_way_to(const std::atomic<int>& others) override { pool_.give_way_to(others); }
   std::int64_t fluid_particles() const override { return static_cast<std::int64_t>(solver_.fluid().count); }
   std::int64_t wall_particles() const override { return walls_; }
 
@@ -135,7 +135,7 @@ class SimulationIn final : public Simulation {
       if (!fluid.empty(slot)) ++first[slot / block_size + 1];
     }
     for (std::size_t block = 1; block < first.size(); ++block) first[block] += first[block - 1];
-    parallel_blocks(fluid.slots(), team_, [&](std::size_t block, std::size_t begin, std::size_t end) {
+    parallel_blocks(fluid.slots(), pool_, [&](std::size_t block, std::size_t begin, std::size_t end) {
       std::size_t place = first[block];
       for (std::size_t slot = begin; slot < end; ++slot) {
         if (!fluid.empty(slot)) frame.particles[place++] = show(slot);
@@ -143,8 +143,8 @@ class SimulationIn final : public Simulation {
     });
   }
 
-  StillLife still_life() const override {
-    StillLife still;
+  StaticScene static_scene() const override {
+    StaticScene still;
     still.particle_spacing = scene_.particle_spacing;
     still.max_speed_estimate = max_speed_estimate(scene_);
     const WallParticles<Dim>& walls = solver_.walls();
@@ -171,7 +171,7 @@ class SimulationIn final : public Simulation {
       Vec<Dim, double> momentum{}, center{};
     };
     const Sums sums = parallel_reduce(
-        fluid.slots(), team_, Sums{},
+        fluid.slots(), pool_, Sums{},
         [&](std::size_t begin, std::size_t end) {
           Sums block;
           for (std::size_t slot = begin; slot < end; ++slot) {
@@ -313,7 +313,7 @@ class SimulationIn final : public Simulation {
   }
 
   const Scene scene_;
-  Team team_;
+  ThreadPool pool_;
   Sampling sampling_;
   Clock clock_;
   Timeline timeline_;

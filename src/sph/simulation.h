@@ -47,7 +47,7 @@ class Simulation {
   virtual std::int64_t fluid_particles() const = 0;
   virtual std::int64_t wall_particles() const = 0;
 
-  virtual StillLife still_life() const = 0;
+  virtual StaticScene static_scene() const = 0;
   // These two work out densities where the last step has left them behind; the state they never change.
   virtual void fill(Frame& frame) = 0;
   virtual Diagnostics diagnostics() = 0;

@@ -86,10 +86,10 @@ std::int32_t Tiling<Dim>::find(const TileCoordinates<Dim>& coordinates) const {
 }
 
 template <int Dim>
-std::vector<std::int32_t> Tiling<Dim>::adjacent(const Tiling& around, Team& team) const {
+std::vector<std::int32_t> Tiling<Dim>::adjacent(const Tiling& around, ThreadPool& pool) const {
   constexpr int codes = tile_codes<Dim>;
   std::vector<std::int32_t> found(around.tiles_.size() * codes);
-  parallel_blocks(around.tiles_.size(), team, [&](std::size_t, std::size_t begin, std::size_t end) {
+  parallel_blocks(around.tiles_.size(), pool, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t tile = begin; tile < end; ++tile) {
       for (int code = 0; code < codes; ++code) {
         TileCoordinates<Dim> at = around.coordinates_[tile];
@@ -103,7 +103,7 @@ std::vector<std::int32_t> Tiling<Dim>::adjacent(const Tiling& around, Team& team
 }
 
 template <int Dim>
-void Tiling<Dim>::find_runs(const Places<Dim>& places, std::size_t begin, std::size_t end,
+void Tiling<Dim>::find_runs(const Positions<Dim>& positions, std::size_t begin, std::size_t end,
                             const std::uint64_t* key_here, std::vector<Run>& runs) const {
   std::int32_t expected = -1;  // slot that would continue the last run
   const auto append = [&](std::uint64_t key, std::size_t slot, std::int32_t count) {
@@ -115,7 +115,7 @@ void Tiling<Dim>::find_runs(const Places<Dim>& places, std::size_t begin, std::s
   const auto half = static_cast<float>(0.5 * lattice_.edge());
   const auto inside = [&](std::size_t slot) {
     bool is = true;
-    for (int d = 0; d < Dim; ++d) is &= places.x[d][slot] >= -half && places.x[d][slot] < half;
+    for (int d = 0; d < Dim; ++d) is &= positions.x[d][slot] >= -half && positions.x[d][slot] < half;
     return is;
   };
   for (std::size_t group = begin; group < end; group += group_size) {
@@ -129,40 +129,40 @@ void Tiling<Dim>::find_runs(const Places<Dim>& places, std::size_t begin, std::s
       }
     }
     for (std::size_t slot = group; slot < std::min(group + group_size, end); ++slot) {
-      if (places.empty(slot)) continue;
+      if (positions.empty(slot)) continue;
       const bool stayed = key_here != nullptr && inside(slot);
-      append(stayed ? *key_here : key_of<Dim>(lattice_.tile_at(places.position(slot))), slot, 1);
+      append(stayed ? *key_here : key_of<Dim>(lattice_.tile_at(positions.position(slot))), slot, 1);
     }
   }
 }
 
 template <int Dim>
-void Tiling<Dim>::sort(Places<Dim>& places, Team& team) {
+void Tiling<Dim>::sort(Positions<Dim>& positions, ThreadPool& pool) {
   // Sorted before, it is looked at tile by tile: most particles are still in theirs.
   const bool sorted = !tiles_.empty();
-  const std::size_t chunks = sorted ? tiles_.size() : (places.slots() + chunk_size - 1) / chunk_size;
+  const std::size_t chunks = sorted ? tiles_.size() : (positions.slots() + chunk_size - 1) / chunk_size;
   std::vector<std::vector<Run>> runs_of_chunks(chunks);
   std::atomic<bool> flown{false};
-  team.for_each(chunks, [&](std::size_t chunk) {
+  pool.for_each(chunks, [&](std::size_t chunk) {
     try {
       if (sorted) {
         const std::uint64_t key = keys_[chunk];
-        find_runs(places, static_cast<std::size_t>(tiles_[chunk].begin), static_cast<std::size_t>(end_of_slots(chunk)),
-                  &key, runs_of_chunks[chunk]);
+        find_runs(positions, static_cast<std::size_t>(tiles_[chunk].begin),
+                  static_cast<std::size_t>(end_of_slots(chunk)), &key, runs_of_chunks[chunk]);
       } else {
-        find_runs(places, chunk * chunk_size, std::min(places.slots(), (chunk + 1) * chunk_size), nullptr,
+        find_runs(positions, chunk * chunk_size, std::min(positions.slots(), (chunk + 1) * chunk_size), nullptr,
                   runs_of_chunks[chunk]);
       }
-    } catch (const std::range_error&) {  // must not leave a thread of the team
+    } catch (const std::range_error&) {  // must not leave a thread of the pool
       flown = true;
     }
   });
   if (flown) {
-    for (std::size_t slot = 0; slot < places.slots(); ++slot) {
-      if (!places.empty(slot)) lattice_.tile_at(places.position(slot));  // throws
+    for (std::size_t slot = 0; slot < positions.slots(); ++slot) {
+      if (!positions.empty(slot)) lattice_.tile_at(positions.position(slot));  // throws
     }
   }
-  make_directory(runs_of_chunks, team);
+  make_directory(runs_of_chunks, pool);
 
   const std::size_t slots = tiles_.empty() ? 0 : static_cast<std::size_t>(end_of_slots(tiles_.size() - 1));
   order_.resize(slots);
@@ -172,18 +172,18 @@ void Tiling<Dim>::sort(Places<Dim>& places, Team& team) {
     low_[d].resize(slots / cluster_size + group_size);
     high_[d].resize(slots / cluster_size + group_size);
   }
-  team.for_each(tiles_.size(), [&](std::size_t tile) {
-    sort_tile(places, tile);
+  pool.for_each(tiles_.size(), [&](std::size_t tile) {
+    sort_tile(positions, tile);
     bound_clusters(spare_, tile);
   });
-  std::swap(places, spare_);
+  std::swap(positions, spare_);
 }
 
 template <int Dim>
-void Tiling<Dim>::make_directory(std::vector<std::vector<Run>>& runs_of_chunks, Team& team) {
+void Tiling<Dim>::make_directory(std::vector<std::vector<Run>>& runs_of_chunks, ThreadPool& pool) {
   // Tiles entered for the first time.
   std::vector<std::vector<std::uint64_t>> new_keys(runs_of_chunks.size());
-  team.for_each(runs_of_chunks.size(), [&](std::size_t chunk) {
+  pool.for_each(runs_of_chunks.size(), [&](std::size_t chunk) {
     std::uint64_t last = ~std::uint64_t{0};
     for (const Run& run : runs_of_chunks[chunk]) {
       if (run.key == last) continue;
@@ -198,7 +198,7 @@ void Tiling<Dim>::make_directory(std::vector<std::vector<Run>>& runs_of_chunks, 
   keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
 
   // Runs by tile: a counting sort, which keeps their order.
-  team.for_each(runs_of_chunks.size(), [&](std::size_t chunk) {
+  pool.for_each(runs_of_chunks.size(), [&](std::size_t chunk) {
     std::uint64_t key = ~std::uint64_t{0};
     std::uint64_t place = 0;
     for (Run& run : runs_of_chunks[chunk]) {
@@ -246,7 +246,7 @@ void Tiling<Dim>::make_directory(std::vector<std::vector<Run>>& runs_of_chunks, 
 }
 
 template <int Dim>
-void Tiling<Dim>::sort_tile(const Places<Dim>& places, std::size_t tile) {
+void Tiling<Dim>::sort_tile(const Positions<Dim>& positions, std::size_t tile) {
   const std::int32_t columns = lattice_.columns();
   const std::int32_t layers = lattice_.layers();
   const std::int32_t cells = lattice_.columns_of_tile() * layers;
@@ -272,7 +272,7 @@ void Tiling<Dim>::sort_tile(const Places<Dim>& places, std::size_t tile) {
   next_in_cell.assign(static_cast<std::size_t>(cells) + 1, 0);
   cell_of.resize(static_cast<std::size_t>(slots.end - slots.begin));
   const auto is_new = [&](const Run& run) {  // its places count from another tile's centre
-    const Vec<Dim, double>& from = places.center[static_cast<std::size_t>(run.first) / group_size];
+    const Vec<Dim, double>& from = positions.center[static_cast<std::size_t>(run.first) / group_size];
     for (int d = 0; d < Dim; ++d) {
       if (from[d] != center[d]) return true;
     }
@@ -284,8 +284,8 @@ void Tiling<Dim>::sort_tile(const Places<Dim>& places, std::size_t tile) {
     for (std::int32_t k = 0; k < runs_[r].count; ++k) {
       const auto slot = static_cast<std::size_t>(runs_[r].first + k);
       Vec<Dim> from_center{};
-      for (int d = 0; d < Dim; ++d) from_center[d] = places.x[d][slot];
-      if (shifted) from_center = convert<float>(places.position(slot) - center);
+      for (int d = 0; d < Dim; ++d) from_center[d] = positions.x[d][slot];
+      if (shifted) from_center = convert<float>(positions.position(slot) - center);
       const std::int32_t cell = cell_at(from_center);
       cell_of[particle++] = cell;
       ++next_in_cell[static_cast<std::size_t>(cell) + 1];
@@ -317,14 +317,14 @@ void Tiling<Dim>::sort_tile(const Places<Dim>& places, std::size_t tile) {
   for (std::size_t slot = begin; slot < end_of_groups; slot += group_size) spare_.center[slot / group_size] = center;
   for (int d = 0; d < Dim; ++d) {
     for (std::size_t slot = begin; slot < end; ++slot) {
-      spare_.x[d][slot] = places.x[d][static_cast<std::size_t>(order_[slot])];
-      spare_.rest[d][slot] = places.rest[d][static_cast<std::size_t>(order_[slot])];
+      spare_.x[d][slot] = positions.x[d][static_cast<std::size_t>(order_[slot])];
+      spare_.rest[d][slot] = positions.rest[d][static_cast<std::size_t>(order_[slot])];
     }
   }
   for (std::size_t slot = begin; slot < end; ++slot)
-    spare_.id[slot] = places.id[static_cast<std::size_t>(order_[slot])];
+    spare_.id[slot] = positions.id[static_cast<std::size_t>(order_[slot])];
   for (const std::size_t slot : shifted_slots)
-    spare_.place(slot, places.position(static_cast<std::size_t>(order_[slot])));
+    spare_.place(slot, positions.position(static_cast<std::size_t>(order_[slot])));
   for (std::size_t slot = end; slot < end_of_groups; ++slot) {
     spare_.clear(slot);
     order_[slot] = -1;
@@ -332,15 +332,15 @@ void Tiling<Dim>::sort_tile(const Places<Dim>& places, std::size_t tile) {
 }
 
 template <int Dim>
-void Tiling<Dim>::bound_clusters(const Places<Dim>& places, std::size_t tile) {
+void Tiling<Dim>::bound_clusters(const Positions<Dim>& positions, std::size_t tile) {
   for (std::int32_t first = tiles_[tile].begin; first < end_of_slots(tile); first += cluster_size) {
     const std::int32_t end = std::min(first + cluster_size, tiles_[tile].end);
     for (int d = 0; d < Dim; ++d) {
       float low = nowhere;
       float high = -nowhere;
       for (std::int32_t slot = first; slot < end; ++slot) {
-        low = std::min(low, places.x[d][static_cast<std::size_t>(slot)]);
-        high = std::max(high, places.x[d][static_cast<std::size_t>(slot)]);
+        low = std::min(low, positions.x[d][static_cast<std::size_t>(slot)]);
+        high = std::max(high, positions.x[d][static_cast<std::size_t>(slot)]);
       }
       low_[d][static_cast<std::size_t>(first / cluster_size)] = low;
       high_[d][static_cast<std::size_t>(first / cluster_size)] = high;

@@ -11,9 +11,9 @@
 #include <span>
 #include <vector>
 
-#include "core/team.h"
+#include "core/thread_pool.h"
 #include "core/types.h"
-#include "sph/places.h"
+#include "sph/positions.h"
 
 namespace weir {
 
@@ -71,7 +71,7 @@ class Tiling {
   explicit Tiling(const TileLattice<Dim>& lattice) : lattice_(lattice) {}
 
   // Sorts `places`. order()[k] tells which slot the particle now in slot k came from, -1 for an empty slot.
-  void sort(Places<Dim>& places, Team& team);
+  void sort(Positions<Dim>& positions, ThreadPool& pool);
   // The next places to sort are not those of the last sort.
   void forget() { tiles_.clear(); }
 
@@ -98,9 +98,9 @@ class Tiling {
   // The tile with these coordinates, -1 if no particle is there.
   std::int32_t find(const TileCoordinates<Dim>& coordinates) const;
   // Puts the boxes around a tile's clusters where its particles are now.
-  void bound_clusters(const Places<Dim>& places, std::size_t tile);
+  void bound_clusters(const Positions<Dim>& positions, std::size_t tile);
   // For each tile of `around`, in the order of codes, the tile here or -1.
-  std::vector<std::int32_t> adjacent(const Tiling& around, Team& team) const;
+  std::vector<std::int32_t> adjacent(const Tiling& around, ThreadPool& pool) const;
 
  private:
   // Particles in consecutive slots that lie in one tile: most of a tile stays together from one sort to the next.
@@ -111,10 +111,10 @@ class Tiling {
   };
   // Appends the runs among the slots [begin, end), which begin a group. `key_here`: of the tile that these slots were
   // sorted into, if they were.
-  void find_runs(const Places<Dim>& places, std::size_t begin, std::size_t end, const std::uint64_t* key_here,
+  void find_runs(const Positions<Dim>& positions, std::size_t begin, std::size_t end, const std::uint64_t* key_here,
                  std::vector<Run>& runs) const;
-  void make_directory(std::vector<std::vector<Run>>& runs_of_chunks, Team& team);
-  void sort_tile(const Places<Dim>& places, std::size_t tile);
+  void make_directory(std::vector<std::vector<Run>>& runs_of_chunks, ThreadPool& pool);
+  void sort_tile(const Positions<Dim>& positions, std::size_t tile);
 
   TileLattice<Dim> lattice_;
   std::vector<std::uint64_t> keys_;  // of the tiles, ascending
@@ -126,7 +126,7 @@ class Tiling {
   std::array<AlignedVector<float>, Dim> high_;
   std::vector<Run> runs_;               // by tile, within a tile in the order before the sort
   std::vector<std::size_t> first_run_;  // of each tile, and one more
-  Places<Dim> spare_;                   // where the sorted places are made
+  Positions<Dim> spare_;                // where the sorted places are made
 };
 
 extern template class TileLattice<2>;

@@ -1,4 +1,4 @@
-// Seed A's sliders and buttons, headless: what is in force at an instant of run time.
+// Hinsch's sliders and buttons, headless: what is in force at an instant of run time.
 #pragma once
 
 #include <cstddef>

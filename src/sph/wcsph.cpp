@@ -25,14 +25,14 @@ std::vector<Vec<Dim, double>> points(const std::vector<Vec3>& positions) {
 }  // namespace
 
 template <int Dim>
-Wcsph<Dim>::Wcsph(const Scene& scene, const Sampling& sampling, Team& team, InstructionSet instruction_set)
+Wcsph<Dim>::Wcsph(const Scene& scene, const Sampling& sampling, ThreadPool& pool, InstructionSet instruction_set)
     : h_(weir::smoothing_length(scene)),
       support_radius_(weir::support_radius(scene)),
       mass_(weir::particle_mass(scene)),
       rest_density_(scene.fluid.rest_density),
       exponent_(scene.solver.exponent),
       clamp_negative_pressure_(scene.solver.negative_pressure == NegativePressure::clamp),
-      team_(team),
+      pool_(pool),
       instruction_set_(instruction_set),
       loops_(loops_for<Dim>(instruction_set, {.kernel = scene.solver.kernel.name,
                                               .viscosity = scene.fluid.viscosity.model,
@@ -49,13 +49,13 @@ Wcsph<Dim>::Wcsph(const Scene& scene, const Sampling& sampling, Team& team, Inst
                    .particles = sampling.fluid_positions.size(),
                    .search = scene.solver.neighbour_search,
                    .instruction_set = instruction_set},
-                  team, walls_) {
+                  pool, walls_) {
   reset(sampling);
 }
 
 template <int Dim>
 void Wcsph<Dim>::reset(const Sampling& sampling) {
-  static_cast<Places<Dim>&>(fluid_) = unsorted<Dim>(points<Dim>(sampling.fluid_positions));
+  static_cast<Positions<Dim>&>(fluid_) = unsorted<Dim>(points<Dim>(sampling.fluid_positions));
   fluid_.count = sampling.fluid_positions.size();
   double fastest = 0;
   for (int d = 0; d < Dim; ++d) fluid_.velocity[d].assign(fluid_.slots() + group_size, 0.0F);
@@ -101,7 +101,7 @@ void Wcsph<Dim>::compute_density_and_pressure() {
   input.id = fluid_.id.data();
   input.density = fluid_.density.data();
   input.pressure_term = fluid_.pressure_term.data();
-  team_.for_each(neighbours_.tiling().tiles().size(),
+  pool_.for_each(neighbours_.tiling().tiles().size(),
                  [&](std::size_t tile) { loops_.density(input, static_cast<std::int32_t>(tile)); });
 }
 
@@ -126,7 +126,7 @@ void Wcsph<Dim>::compute_accelerations() {
   }
   const bool walls = walls_.slots() > 0;
   std::vector<AccelerationExtremes> extremes(neighbours_.tiling().tiles().size());
-  team_.for_each(extremes.size(), [&](std::size_t index) {
+  pool_.for_each(extremes.size(), [&](std::size_t index) {
     thread_local AlignedVector<float> sums;
     const auto tile = static_cast<std::int32_t>(index);
     const auto slots = static_cast<std::size_t>(neighbours_.tiling().slots_of(index));
@@ -160,7 +160,7 @@ std::optional<Escape> Wcsph<Dim>::integrate(double dt) {
     input.velocity[d] = fluid_.velocity[d].data();
   }
   std::vector<StepExtremes<Dim>> extremes(neighbours_.tiling().tiles().size());
-  team_.for_each(extremes.size(),
+  pool_.for_each(extremes.size(),
                  [&](std::size_t tile) { extremes[tile] = loops_.integrate(input, static_cast<std::int32_t>(tile)); });
 
   float fastest = 0;

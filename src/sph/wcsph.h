@@ -1,4 +1,4 @@
-// Weakly compressible SPH as in seed A [Hinsch24 Alg. 3]: density by summation, pressure from an equation of state,
+// Weakly compressible SPH as in Hinsch 2024 [Hinsch24 Alg. 3]: density by summation, pressure from an equation of state,
 // accelerations, Euler-Cromer.
 #pragma once
 
@@ -32,7 +32,7 @@ template <int Dim>
 class Wcsph {
  public:
   // The scene must be right; `sampling` are its particles.
-  Wcsph(const Scene& scene, const Sampling& sampling, Team& team,
+  Wcsph(const Scene& scene, const Sampling& sampling, ThreadPool& pool,
         InstructionSet instruction_set = default_instruction_set());
 
   // One time step, in the order of the algorithm box; each needs those before it.
@@ -70,7 +70,7 @@ class Wcsph {
   double rest_density_;
   int exponent_;
   bool clamp_negative_pressure_;
-  Team& team_;
+  ThreadPool& pool_;
   InstructionSet instruction_set_;
   Loops<Dim> loops_;
   Controls<Dim> controls_;

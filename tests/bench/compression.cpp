@@ -18,7 +18,7 @@ constexpr int frames = 60;
 constexpr int particles = 15000;
 
 std::vector<MovieImage> movie_images(const Still& still) {
-  const auto renderer = make_renderer(still.scene, still.still_life, device_choice(""));
+  const auto renderer = make_renderer(still.scene, still.static_scene, device_choice(""));
   std::vector<MovieImage> images(still.frames.size());
   for (std::size_t k = 0; k < images.size(); ++k) {
     renderer->start(still.frames[k]);
@@ -69,7 +69,7 @@ PRESET(medium);
 void compress_png(benchmark::State& state) {
   const Still still = wave(particles);
   Image image;
-  make_renderer(still.scene, still.still_life, device_choice(""))->draw(still.frames[0], image);
+  make_renderer(still.scene, still.static_scene, device_choice(""))->draw(still.frames[0], image);
   std::vector<std::uint8_t> rows;
   for (int y = 0; y < image.height; ++y) {
     rows.push_back(0);  // no filter

@@ -18,7 +18,7 @@ namespace {
 
 void draw_movie(benchmark::State& state, Make make) {
   const Still still = make(state.range(0));
-  const auto renderer = make_renderer(still.scene, still.still_life, device_choice(""));
+  const auto renderer = make_renderer(still.scene, still.static_scene, device_choice(""));
   MovieImage image;
   std::size_t k = 0;
   for (; k < 4; ++k) {  // the driver compiles
@@ -34,7 +34,7 @@ void draw_movie(benchmark::State& state, Make make) {
 
 void draw_png(benchmark::State& state) {
   const Still still = wave(state.range(0));
-  const auto renderer = make_renderer(still.scene, still.still_life, device_choice(""));
+  const auto renderer = make_renderer(still.scene, still.static_scene, device_choice(""));
   Image image;
   std::size_t k = 0;
   for (; k < 4; ++k) renderer->draw(still.frames[k], image);  // the driver compiles
@@ -47,7 +47,7 @@ void arrange(benchmark::State& state, Make make) {
   const auto context = EglContext::open(device_choice(""));
   {
     ParticlePainter painter(picture_width, picture_height);
-    const CameraPath camera(still.scene, still.still_life, {0, 0, picture_width, picture_height});
+    const CameraPath camera(still.scene, still.static_scene, {0, 0, picture_width, picture_height});
     const Projection projection = camera.at(0);
     std::vector<std::uint8_t> stale;
     for (auto _ : state)
@@ -61,7 +61,7 @@ void shade(benchmark::State& state, Make make) {
   const auto context = EglContext::open(device_choice(""));
   {
     ParticlePainter painter(picture_width, picture_height);
-    const CameraPath camera(still.scene, still.still_life, {0, 0, picture_width, picture_height});
+    const CameraPath camera(still.scene, still.static_scene, {0, 0, picture_width, picture_height});
     const ParticleStyle style{0.5 * still.scene.particle_spacing, {0, 6}};
     Backdrop background(picture_width, picture_height);
     background.fill(0xffffffff);
@@ -91,7 +91,7 @@ std::unique_ptr<MovieSink> sink(const Still& still) {
 
 void encode(benchmark::State& state, Make make) {
   const Still still = make(state.range(0));
-  const auto renderer = make_renderer(still.scene, still.still_life, device_choice(""));
+  const auto renderer = make_renderer(still.scene, still.static_scene, device_choice(""));
   std::vector<MovieImage> images(still.frames.size());
   for (std::size_t k = 0; k < images.size(); ++k) {
     renderer->start(still.frames[k]);
@@ -105,7 +105,7 @@ void encode(benchmark::State& state, Make make) {
 // From particles to packets: one picture is drawn while the last is read, if the device can, and the one before is encoded.
 void draw_and_encode(benchmark::State& state, Make make) {
   const Still still = make(state.range(0));
-  const auto renderer = make_renderer(still.scene, still.still_life, device_choice(""));
+  const auto renderer = make_renderer(still.scene, still.static_scene, device_choice(""));
   const auto movie = sink(still);
   std::array<MovieImage, 2> images;
   std::size_t k = 0;

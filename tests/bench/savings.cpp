@@ -27,7 +27,7 @@ View2D all_in_view() { return {Vec3(1.8, 0.9, 0), 4}; }
 
 void draw(benchmark::State& state, const Still& still, const std::vector<const Frame*>& frames,
           const DeviceChoice& choice = device_choice("")) {
-  const auto renderer = make_renderer(still.scene, still.still_life, choice);
+  const auto renderer = make_renderer(still.scene, still.static_scene, choice);
   MovieImage image;
   std::size_t k = 0;
   const auto draw_next = [&] {
@@ -76,7 +76,7 @@ void empty_blocks(benchmark::State& state, bool are_shaded) {
   const auto context = EglContext::open(device_choice(""));
   {
     ParticlePainter painter(picture_width, picture_height);
-    const CameraPath camera(still.scene, still.still_life, {0, 0, picture_width, picture_height});
+    const CameraPath camera(still.scene, still.static_scene, {0, 0, picture_width, picture_height});
     Backdrop background(picture_width, picture_height);
     background.fill(0xffffffff);
     MovieTarget target(picture_width, picture_height);
@@ -116,7 +116,7 @@ BENCHMARK_CAPTURE(fluid, on_camera, true)->MEASURED;
 // hidden by what came before.
 void hidden_balls_left_out(benchmark::State& state) {
   const Still still = column(state.range(0));
-  const CameraPath camera(still.scene, still.still_life, {0, 0, picture_width, picture_height});
+  const CameraPath camera(still.scene, still.static_scene, {0, 0, picture_width, picture_height});
   Balls balls(picture_width, picture_height, 1);
   for (auto _ : state)
     balls.show(still.frames[0].particles, camera.at(0), {0.5 * still.scene.particle_spacing, {0, 6}}, Colormap{});
@@ -125,7 +125,7 @@ BENCHMARK(hidden_balls_left_out)->MEASURED->Arg(1000000);
 
 void hidden_balls_drawn(benchmark::State& state) {
   const Still still = column(state.range(0));
-  const CameraPath camera(still.scene, still.still_life, {0, 0, picture_width, picture_height});
+  const CameraPath camera(still.scene, still.static_scene, {0, 0, picture_width, picture_height});
   const double radius = 0.5 * still.scene.particle_spacing;
   const BallView view(camera.at(0), radius, {0, 6});
   std::vector<ScreenBall> balls;

@@ -8,7 +8,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/team.h"
+#include "core/thread_pool.h"
 #include "equations/kernels.h"
 #include "report/speed.h"
 #include "scene/sampling.h"
@@ -23,7 +23,7 @@ namespace {
 template <int Dim>
 struct Flow {
   Flow(std::int64_t particles, InstructionSet set, int threads)
-      : team(threads), scene(speed_scene(Dim, particles)), sampling(sample(scene)), solver(scene, sampling, team, set) {
+      : pool(threads), scene(speed_scene(Dim, particles)), sampling(sample(scene)), solver(scene, sampling, pool, set) {
     for (int k = 0; k < 20; ++k) step();
     solver.find_neighbours();
     solver.compute_density_and_pressure();
@@ -37,7 +37,7 @@ struct Flow {
   }
   double dt() const { return 0.2 * solver.smoothing_length() / sound_speed(scene); }
 
-  Team team;
+  ThreadPool pool;
   Scene scene;
   Sampling sampling;
   Wcsph<Dim> solver;

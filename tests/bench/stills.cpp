@@ -17,7 +17,7 @@ Still still_of(const char* name, int dimension, double spacing, const Box& fluid
   still.scene.dimension = dimension;
   still.scene.render.overlay.clear();
   still.scene.duration = 2;
-  still.scene.particle_spacing = still.still_life.particle_spacing = spacing;
+  still.scene.particle_spacing = still.static_scene.particle_spacing = spacing;
   still.scene.render.size = {picture_width, picture_height};
   still.scene.render.color.range = {{0, 6}};
   still.scene.output.movie = Movie{};
@@ -34,7 +34,7 @@ Still moving_wave(std::int64_t particles, int frames) {
   Still still = still_of("wave", 2, dx, Box{Vec3(0), Vec3(3.6, 0.4, 0)});
   for (double x = -1.5 * dx; x < 3.6 + 2 * dx; x += dx)
     for (double y = -1.5 * dx; y < 1.8; y += dx)
-      if (x < 0 || x > 3.6 || y < 0) still.still_life.walls.emplace_back(x, y, 0);
+      if (x < 0 || x > 3.6 || y < 0) still.static_scene.walls.emplace_back(x, y, 0);
   for (int k = 0; k < frames; ++k) {
     Frame frame;
     frame.index = k;
@@ -70,7 +70,7 @@ Still column(std::int64_t particles) {
   for (double x = -1.5 * dx; x < inside.x + 2 * dx; x += dx)
     for (double y = -1.5 * dx; y < inside.y + 2 * dx; y += dx)
       for (double z = -1.5 * dx; z < inside.z; z += dx)
-        if (outside(Vec3(x, y, z))) still.still_life.walls.emplace_back(x, y, z);
+        if (outside(Vec3(x, y, z))) still.static_scene.walls.emplace_back(x, y, z);
   const auto wide = std::lround(0.6 / dx);
   const auto high = std::lround(0.75 / dx);
   for (int k = 0; k < few; ++k) {

@@ -16,7 +16,7 @@ constexpr int picture_height = 1080;
 
 struct Still {
   Scene scene;
-  StillLife still_life;
+  StaticScene static_scene;
   std::vector<Frame> frames;  // of which each differs from the next
 };
 

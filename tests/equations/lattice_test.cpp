@@ -1,4 +1,4 @@
-// Seed A's own tests, [Hinsch24 ch. 6.1], on its 11 x 11 lattice: all particles a distance h apart. Where the text
+// Hinsch's own tests, [Hinsch24 ch. 6.1], on its 11 x 11 lattice: all particles a distance h apart. Where the text
 // errs, the right value stands here with the reason (physics.md calls these A1 to A7).
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ bool interior(const V& x) { return x[0] > 1.5 * h && x[0] < 8.5 * h && x[1] > 1.
 
 constexpr double rounding = 1e-13;  // relative, of double arithmetic over some ten operations
 
-TEST(SeedA, KernelHasThePrintedValues) {
+TEST(Hinsch2024, KernelHasThePrintedValues) {
   EXPECT_EQ(kernel.value(3 * h), 0);
   EXPECT_NEAR(kernel.value(0.0), 20 / (14 * pi * h * h), rounding / (h * h));
   EXPECT_NEAR(kernel.value(h), 5 / (14 * pi * h * h), rounding / (h * h));
@@ -40,7 +40,7 @@ TEST(SeedA, KernelHasThePrintedValues) {
   EXPECT_NEAR(kernel.value(std::sqrt(2.0) * h) * 14 * pi * h * h, 1.005, 0.0005);
 }
 
-TEST(SeedA, KernelSumsToTheNumberDensity) {
+TEST(Hinsch2024, KernelSumsToTheNumberDensity) {
   // The text says 1/h^2; on the lattice at h = dx the sum is (20 + 4 * 5 + 4 * 1.00505) / (14 pi h^2) = 1.00086 / h^2.
   const double exact = (40 + 20 * std::pow(2 - std::sqrt(2.0), 3)) / (14 * pi * h * h);
   EXPECT_NEAR(exact * h * h, 1.00086, 5e-6);
@@ -52,7 +52,7 @@ TEST(SeedA, KernelSumsToTheNumberDensity) {
   }
 }
 
-TEST(SeedA, GradientHasThePrintedValues) {
+TEST(Hinsch2024, GradientHasThePrintedValues) {
   const double beta = -3 * (2 - std::sqrt(2.0)) * (2 - std::sqrt(2.0));
   EXPECT_EQ(gradient({0, 0})[0], 0);
   EXPECT_EQ(gradient({0, 0})[1], 0);
@@ -71,7 +71,7 @@ TEST(SeedA, GradientHasThePrintedValues) {
   }
 }
 
-TEST(SeedA, GradientsCancelInsideTheLattice) {
+TEST(Hinsch2024, GradientsCancelInsideTheLattice) {
   for (const V& x_i : lattice()) {
     if (!interior(x_i)) continue;
     V sum{};
@@ -81,7 +81,7 @@ TEST(SeedA, GradientsCancelInsideTheLattice) {
   }
 }
 
-TEST(SeedA, DensityIsAtRestAndPressureZeroWithinTheLatticeError) {
+TEST(Hinsch2024, DensityIsAtRestAndPressureZeroWithinTheLatticeError) {
   const double rho0 = 1000;
   const double m = rho0 * h * h;
   const double lattice_error = (40 + 20 * std::pow(2 - std::sqrt(2.0), 3)) / (14 * pi) - 1;  // of the kernel sum above

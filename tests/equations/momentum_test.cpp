@@ -40,8 +40,8 @@ double share_of_laplacian(double h_per_dx) {
 
 // The published shares (erratum A1), to the digits given there.
 TEST(Viscosity, PrintedFormGivesASixthOfTheLaplacian) {
-  EXPECT_NEAR(share_of_laplacian<SeedAViscosity>(1), 0.16, 0.005);
-  EXPECT_NEAR(share_of_laplacian<SeedAViscosity>(2), 0.24, 0.005);
+  EXPECT_NEAR(share_of_laplacian<Hinsch2024Viscosity>(1), 0.16, 0.005);
+  EXPECT_NEAR(share_of_laplacian<Hinsch2024Viscosity>(2), 0.24, 0.005);
 }
 TEST(Viscosity, MonaghanFormIsConsistentForWideKernels) {
   EXPECT_NEAR(share_of_laplacian<MonaghanViscosity>(1), 0.66, 0.005);
@@ -91,12 +91,12 @@ void expect_action_is_reaction(const Term& term) {
 }
 
 // For equal masses; both signs come from the same operations, so they agree to the last bit. Not so the viscosity that
-// seed A prints, which has rho_j alone.
+// Hinsch 2024 prints, which has rho_j alone.
 TEST(Momentum, EveryConsistentTermIsAntisymmetric) {
   expect_action_is_reaction(Pressure{});
   expect_action_is_reaction(MorrisViscosity::of<3>(0.1, 1));
   expect_action_is_reaction(MonaghanViscosity::of<3>(0.1, 1));
-  expect_action_is_reaction(SeedASurfaceTension::of(0.3, 0.7));
+  expect_action_is_reaction(Hinsch2024SurfaceTension::of(0.3, 0.7));
 }
 
 TEST(Momentum, PressureRepelsAndViscosityOpposesMotion) {
@@ -117,8 +117,8 @@ TEST(Momentum, PressureRepelsAndViscosityOpposesMotion) {
   // nu = 1 and no softening: 2 nu F / rho, and 2 (2 + 2) nu F / rho, against the motion.
   EXPECT_EQ(from_fluid(MorrisViscosity::of<2>(1, 0)), -2);
   EXPECT_EQ(from_fluid(MonaghanViscosity::of<2>(1, 0)), -8);
-  EXPECT_EQ(from_fluid(SeedAViscosity::of<2>(1, 0)), -2);
-  EXPECT_EQ(from_fluid(SeedASurfaceTension::of(3, 2)), -1.5) << "tension pulls towards neighbours: s / m F";
+  EXPECT_EQ(from_fluid(Hinsch2024Viscosity::of<2>(1, 0)), -2);
+  EXPECT_EQ(from_fluid(Hinsch2024SurfaceTension::of(3, 2)), -1.5) << "tension pulls towards neighbours: s / m F";
 }
 
 // Terms are added before they multiply a vector.
@@ -126,7 +126,7 @@ TEST(Momentum, ASumOfTermsIsTheSumOfTheirAccelerations) {
   std::mt19937 random(8);
   const MorrisViscosity morris = MorrisViscosity::of<3>(0.1, 1);
   const MonaghanViscosity monaghan = MonaghanViscosity::of<3>(0.1, 1);
-  const SeedASurfaceTension tension = SeedASurfaceTension::of(0.3, 0.7);
+  const Hinsch2024SurfaceTension tension = Hinsch2024SurfaceTension::of(0.3, 0.7);
   for (int trial = 0; trial < 100; ++trial) {
     const auto pair = random_pair<3>(random);
     const auto push = Pressure{}.from_fluid(pair);

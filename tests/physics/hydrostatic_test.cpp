@@ -1,4 +1,4 @@
-// Water at rest in seed A's tower: p = rho g (H - y), u = 0.
+// Water at rest in Hinsch's tower: p = rho g (H - y), u = 0.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -63,7 +63,7 @@ class FakeSimulation final : public Simulation {
     const std::lock_guard lock(record_mutex);
     ++record_now.filled;
   }
-  StillLife still_life() const override { return {}; }
+  StaticScene static_scene() const override { return {}; }
   Diagnostics diagnostics() override {
     Diagnostics row;
     row.time = time();
@@ -154,7 +154,7 @@ std::unique_ptr<Simulation> make_simulation(const Scene& scene, int /*threads*/,
   return std::make_unique<FakeSimulation>(scene);
 }
 
-std::unique_ptr<Renderer> make_renderer(const Scene& /*scene*/, const StillLife& /*still_life*/,
+std::unique_ptr<Renderer> make_renderer(const Scene& /*scene*/, const StaticScene& /*static_scene*/,
                                         const DeviceChoice& /*choice*/, int /*threads*/) {
   std::this_thread::sleep_for(behaviour_now.device_time);
   {
@@ -165,7 +165,7 @@ std::unique_ptr<Renderer> make_renderer(const Scene& /*scene*/, const StillLife&
   return std::make_unique<FakeRenderer>();
 }
 
-std::array<double, 2> color_range(const Scene& /*scene*/, const StillLife& /*still_life*/) { return {0, 1}; }
+std::array<double, 2> color_range(const Scene& /*scene*/, const StaticScene& /*static_scene*/) { return {0, 1}; }
 
 void draw_on_calling_thread() {}
 

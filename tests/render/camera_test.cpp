@@ -13,7 +13,7 @@ constexpr PixelBox content{10, 20, 290, 170};
 
 TEST(Camera, BoundsHoldWallsAndFluid) {
   const test::Still still = test::dam_break();  // walls of two layers of 3 cm around [0, 3] x [0, 2.01]
-  const Bounds bounds = bounds_of(still.scene, still.still_life);
+  const Bounds bounds = bounds_of(still.scene, still.static_scene);
   EXPECT_NEAR(bounds.min.x, -0.06, 1e-6);
   EXPECT_NEAR(bounds.min.y, -0.06, 1e-6);
   EXPECT_NEAR(bounds.max.x, 3.06, 1e-6);
@@ -22,10 +22,10 @@ TEST(Camera, BoundsHoldWallsAndFluid) {
 
 TEST(Camera, WithoutWallsAQuarterIsAdded) {
   test::Still still = test::dam_break();
-  still.still_life.walls.clear();
+  still.static_scene.walls.clear();
   still.scene.fluid.volumes = {{Ball{Vec3(1, 2, 0), 0.5}, Vec3(0), Vec3(0)},
                                {Polygon{{Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(0, 1, 0)}}, Vec3(0), Vec3(0)}};
-  const Bounds bounds = bounds_of(still.scene, still.still_life);  // fluid: [0, 2] x [0, 2.5]
+  const Bounds bounds = bounds_of(still.scene, still.static_scene);  // fluid: [0, 2] x [0, 2.5]
   EXPECT_EQ(bounds.min, Vec3(-0.625, -0.625, 0));
   EXPECT_EQ(bounds.max, Vec3(2.625, 3.125, 0));
 }

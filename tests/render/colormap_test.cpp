@@ -99,29 +99,29 @@ TEST(Colormap, TakesTheNearestEntryAndClampsOutside) {
 TEST(ColorRange, IsTheScenesIfItSaysOne) {
   test::Still still = test::dam_break();
   still.scene.render.color.range = {{1, 2.5}};
-  EXPECT_EQ(color_range(still.scene, still.still_life), (std::array<double, 2>{1, 2.5}));
+  EXPECT_EQ(color_range(still.scene, still.static_scene), (std::array<double, 2>{1, 2.5}));
 }
 
 TEST(ColorRange, IsEstimatedFromTheSpeed) {
   test::Still still = test::dam_break();  // 4.43 m/s = sqrt(2 g 1 m)
-  EXPECT_EQ(color_range(still.scene, still.still_life), (std::array<double, 2>{0, 5}));
+  EXPECT_EQ(color_range(still.scene, still.static_scene), (std::array<double, 2>{0, 5}));
   // rho0 v^2 / 2 = rho0 g H = 9,812 Pa.
   still.scene.render.color.by = ColorBy::pressure;
-  EXPECT_EQ(color_range(still.scene, still.still_life), (std::array<double, 2>{0, 10000}));
+  EXPECT_EQ(color_range(still.scene, still.static_scene), (std::array<double, 2>{0, 10000}));
   // The same pressure over n k = 7 * 1e5 Pa: 14.02 kg/m^3.
   still.scene.render.color.by = ColorBy::density;
-  EXPECT_EQ(color_range(still.scene, still.still_life), (std::array<double, 2>{985, 1015}));
+  EXPECT_EQ(color_range(still.scene, still.static_scene), (std::array<double, 2>{985, 1015}));
   // Over rho0 c0^2 = 1e3 * 20^2 * 9.81 Pa: 2.5 kg/m^3, a little more by the rounding of 4.43.
   still.scene.solver.compressibility = SoundSpeed{20 * std::sqrt(9.81)};
-  EXPECT_EQ(color_range(still.scene, still.still_life), (std::array<double, 2>{997, 1003}));
+  EXPECT_EQ(color_range(still.scene, still.static_scene), (std::array<double, 2>{997, 1003}));
 }
 
 TEST(ColorRange, OfAFluidAtRestIsNotEmpty) {
   test::Still still = test::dam_break();
-  still.still_life.max_speed_estimate = 0;
+  still.static_scene.max_speed_estimate = 0;
   for (const ColorBy by : {ColorBy::speed, ColorBy::density, ColorBy::pressure}) {
     still.scene.render.color.by = by;
-    const std::array<double, 2> range = color_range(still.scene, still.still_life);
+    const std::array<double, 2> range = color_range(still.scene, still.static_scene);
     EXPECT_LT(range[0], range[1]);
   }
 }

@@ -18,7 +18,7 @@ using testing::HasSubstr;
 
 TEST(Device, SoftwareIsLlvmpipe) {
   const Still still = dam_break();
-  const auto renderer = make_renderer(still.scene, still.still_life, {"software"});
+  const auto renderer = make_renderer(still.scene, still.static_scene, {"software"});
   EXPECT_THAT(renderer->gl_renderer(), HasSubstr("llvmpipe"));
 }
 
@@ -37,7 +37,7 @@ TEST(Device, CanBeChosenByItsNumberInTheList) {
   const Still still = blank(1);
   for (std::size_t k = 0; k < devices.size(); ++k) {
     if (!devices[k].usable) continue;
-    const auto renderer = make_renderer(still.scene, still.still_life, {std::to_string(k)});
+    const auto renderer = make_renderer(still.scene, still.static_scene, {std::to_string(k)});
     EXPECT_THAT(devices[k].detail, HasSubstr(renderer->gl_renderer()));
   }
 }
@@ -45,7 +45,7 @@ TEST(Device, CanBeChosenByItsNumberInTheList) {
 TEST(Device, NumbersBeyondTheListAreRefusedWithTheList) {
   const Still still = blank(1);
   try {
-    make_renderer(still.scene, still.still_life, {"77"});
+    make_renderer(still.scene, still.static_scene, {"77"});
     FAIL();
   } catch (const DeviceError& error) {
     EXPECT_THAT(error.what(), AllOf(HasSubstr("device \"77\""), HasSubstr("software device: not tried")));
@@ -55,7 +55,7 @@ TEST(Device, NumbersBeyondTheListAreRefusedWithTheList) {
 TEST(Device, UnknownNamesAreAUsageError) {
   const Still still = blank(1);
   for (const char* name : {"gpu", "-1", "0x1", "1 "})
-    EXPECT_THROW(make_renderer(still.scene, still.still_life, {name}), UsageError) << name;
+    EXPECT_THROW(make_renderer(still.scene, still.static_scene, {name}), UsageError) << name;
 }
 
 TEST(Device, TheRequestComesBeforeTheEnvironment) {
@@ -68,7 +68,7 @@ TEST(Device, TheRequestComesBeforeTheEnvironment) {
   setenv(variable, value, 1);
   const Still still = blank(1);
   try {
-    std::cerr << make_renderer(still.scene, still.still_life, {device})->gl_renderer() << '\n';
+    std::cerr << make_renderer(still.scene, still.static_scene, {device})->gl_renderer() << '\n';
     std::_Exit(0);
   } catch (const DeviceError& error) {
     std::cerr << error.what() << '\n';
@@ -104,7 +104,7 @@ TEST(Device, APictureBeyondTheDriverIsADeviceError) {
   Still still = blank(1);
   still.scene.render.size = {1000000, 2};
   try {
-    make_renderer(still.scene, still.still_life, {"software"});
+    make_renderer(still.scene, still.static_scene, {"software"});
     FAIL();
   } catch (const DeviceError& error) {
     EXPECT_THAT(error.what(), HasSubstr("1000000 x 2"));

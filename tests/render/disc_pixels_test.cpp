@@ -16,7 +16,7 @@ namespace {
 constexpr int width = 90;  // neither whole squares nor whole blocks
 constexpr int height = 50;
 
-// Places in pixels, in and around the picture, and places in the map.
+// Positions in pixels, in and around the picture, and places in the map.
 std::vector<glm::vec4> scattered(int count, double margin) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> x(-margin, width + margin);

@@ -39,7 +39,7 @@ Blob blob(const Image& image) {
 // One particle of `radius` pixels at an offset in pixels from the picture's centre.
 Still one_disc(double radius, glm::dvec2 at) {
   Still still = blank(1);  // a metre is a pixel
-  still.still_life.particle_spacing = 2 * radius;
+  still.static_scene.particle_spacing = 2 * radius;
   still.frame.particles = {glm::vec4(at.x, at.y, 0, 0)};
   return still;
 }
@@ -182,7 +182,7 @@ TEST(Discs, ThatAreNotFiniteAreSkipped) {
 TEST(Discs, ASecondFrameIsWhatAFreshRendererDraws) {
   Still still = dam_break();
   const Image fresh = drawn(still);
-  const auto renderer = make_renderer(still.scene, still.still_life, device_choice(""));
+  const auto renderer = make_renderer(still.scene, still.static_scene, device_choice(""));
   Frame other = still.frame;
   other.time = 0;
   for (glm::vec4& particle : other.particles) particle.x += 1;
@@ -199,8 +199,8 @@ TEST(Discs, TwoRenderersLiveSideBySide) {
   const Still b = cup();
   const Image fresh_a = drawn(a);
   const Image fresh_b = drawn(b);
-  const auto renderer_a = make_renderer(a.scene, a.still_life, device_choice(""));
-  const auto renderer_b = make_renderer(b.scene, b.still_life, device_choice(""));
+  const auto renderer_a = make_renderer(a.scene, a.static_scene, device_choice(""));
+  const auto renderer_b = make_renderer(b.scene, b.static_scene, device_choice(""));
   Image image;
   renderer_a->draw(a.frame, image);
   EXPECT_EQ(difference(image, fresh_a).pixels, 0);
@@ -214,7 +214,7 @@ TEST(Discs, TwoRenderersLiveSideBySide) {
 TEST(Discs, FollowTheKeyframes) {
   Still still = dam_break();
   still.scene.camera.keyframes = {{0, View2D{Vec3(0.5, 0.5, 0), 1}}, {1, View2D{Vec3(1, 0.5, 0), 4}}};
-  const auto renderer = make_renderer(still.scene, still.still_life, device_choice(""));
+  const auto renderer = make_renderer(still.scene, still.static_scene, device_choice(""));
   Image image;
   for (const double time : {0.0, 0.6, 5.0}) {  // walls have to be drawn anew each time
     still.frame.time = time;
@@ -228,7 +228,7 @@ TEST(Discs, FollowTheKeyframes) {
 
 TEST(Walls, AreYellowAndCanBeLeftOut) {
   Still still = blank(20);
-  still.still_life.walls = {glm::vec3(0)};
+  still.static_scene.walls = {glm::vec3(0)};
   const Image image = drawn(still);
   EXPECT_EQ(rgb(image, 160, 90), wall_color);
   EXPECT_GT(image.pixel(160, 90)[0], 220);  // yellow to the eye, too: red and green high, blue low
@@ -240,7 +240,7 @@ TEST(Walls, AreYellowAndCanBeLeftOut) {
 
 TEST(Walls, LieBehindTheFluid) {
   Still still = blank(20);
-  still.still_life.walls = {glm::vec3(0)};
+  still.static_scene.walls = {glm::vec3(0)};
   still.frame.particles = {glm::vec4(0, 0, 0, 0)};
   EXPECT_EQ(rgb(drawn(still), 160, 90), 0x440154U);
 }
@@ -324,7 +324,7 @@ TEST(Balls, AreNotHiddenByWalls) {
   still.scene.camera.view = View3D{Vec3(0, -10, 0), Vec3(0), 30};
   still.frame.particles = {glm::vec4(0, 0, 0, 0.5)};
   const Image without = drawn(still);
-  still.still_life.walls = {glm::vec3(0, -2, 0), glm::vec3(2.5, 0, 0)};
+  still.static_scene.walls = {glm::vec3(0, -2, 0), glm::vec3(2.5, 0, 0)};
   const Image with = drawn(still);
   EXPECT_EQ(rgb(with, 160, 90), rgb(without, 160, 90));
   EXPECT_GT(difference(with, without).pixels, 10);  // the one beside the ball is seen

@@ -8,7 +8,7 @@ namespace weir::test {
 namespace {
 
 testing::AssertionResult drawing_matches(const Still& still, const std::string& name) {
-  const auto renderer = make_renderer(still.scene, still.still_life, device_choice(""));
+  const auto renderer = make_renderer(still.scene, still.static_scene, device_choice(""));
   Image image;
   renderer->draw(still.frame, image);
   return matches_golden(image, "render/" + name, renderer->gl_renderer());

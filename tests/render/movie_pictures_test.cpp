@@ -16,7 +16,7 @@ namespace {
 std::unique_ptr<Renderer> renderer_of(const Still& still, MovieBy who) {
   DeviceChoice choice = device_choice("");
   choice.movie_by = who;
-  return make_renderer(still.scene, still.still_life, choice);
+  return make_renderer(still.scene, still.static_scene, choice);
 }
 
 MovieImage filmed(const Still& still, MovieBy who) {
@@ -85,7 +85,7 @@ TEST_P(MoviePicture, MayBeOfAnyEvenSize) {
 // A straight edge between pixels 99 and 100: the sample at pixel 100 takes a quarter from pixel 99, and no other mixes.
 TEST_P(MoviePicture, HasItsChromaOnTheLeft) {
   Still still = blank(1);
-  still.still_life.particle_spacing = 2e4;
+  still.static_scene.particle_spacing = 2e4;
   still.scene.render.color.map = ColormapName::turbo;
   still.frame.particles = {glm::vec4(-160 + 100 + 1e4, 0, 0, 0.2)};
   const MovieImage image = filmed(still);

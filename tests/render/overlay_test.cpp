@@ -22,7 +22,7 @@ Still sized(int width, int height) {
 }
 
 OverlayLayout layout_of(const Still& still) {
-  return Overlay(still.scene, color_range(still.scene, still.still_life)).layout();
+  return Overlay(still.scene, color_range(still.scene, still.static_scene)).layout();
 }
 
 std::vector<IntBox> boxes(const OverlayLayout& layout) {
@@ -38,7 +38,7 @@ bool apart(const IntBox& a, const IntBox& b) {
 
 // The overlay alone, over a picture of one colour.
 Image overlay_image(const Still& still) {
-  Overlay overlay(still.scene, color_range(still.scene, still.still_life));
+  Overlay overlay(still.scene, color_range(still.scene, still.static_scene));
   const auto [width, height] = still.scene.render.size;
   Image image{width, height, std::vector<std::uint8_t>(std::size_t{4} * width * height, 255)};
   overlay.draw_fixed(projection_of(View2D{Vec3(0), 3}, width, height), image);

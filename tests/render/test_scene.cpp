@@ -19,7 +19,7 @@ Still blank(double pixels_per_metre) {
   still.scene.render.overlay = {};
   still.scene.render.color.range = {{0, 1}};
   still.scene.camera.view = View2D{Vec3(0), 320 / pixels_per_metre};
-  still.scene.particle_spacing = still.still_life.particle_spacing = 1;
+  still.scene.particle_spacing = still.static_scene.particle_spacing = 1;
   return still;
 }
 
@@ -30,12 +30,12 @@ Still dam_break() {
   still.scene.duration = 2;
   still.scene.render.size = {320, 180};
   const double dx = 0.03;
-  still.scene.particle_spacing = still.still_life.particle_spacing = dx;
-  still.still_life.max_speed_estimate = 4.43;
+  still.scene.particle_spacing = still.static_scene.particle_spacing = dx;
+  still.static_scene.max_speed_estimate = 4.43;
   still.scene.fluid.volumes.push_back({Box{Vec3(0), Vec3(1, 1, 0)}, Vec3(0), Vec3(0)});
   for (int i = -2; i < 102; ++i)
     for (int j = -2; j < 67; ++j)
-      if (i < 0 || i >= 100 || j < 0) still.still_life.walls.emplace_back((i + 0.5) * dx, (j + 0.5) * dx, 0);
+      if (i < 0 || i >= 100 || j < 0) still.static_scene.walls.emplace_back((i + 0.5) * dx, (j + 0.5) * dx, 0);
   for (int i = 0; i < 33; ++i)
     for (int j = 0; j < 33; ++j) {
       const double x = (i + 0.5) * dx;
@@ -59,15 +59,15 @@ Still cup() {
   still.scene.gravity = Vec3(0, 0, -9.81);
   still.scene.render.size = {320, 180};
   const double dx = 0.1;
-  still.scene.particle_spacing = still.still_life.particle_spacing = dx;
-  still.still_life.max_speed_estimate = 4.43;
+  still.scene.particle_spacing = still.static_scene.particle_spacing = dx;
+  still.static_scene.max_speed_estimate = 4.43;
   still.scene.fluid.volumes.push_back({Box{Vec3(0), Vec3(0.8)}, Vec3(0), Vec3(0)});
   still.scene.walls = {{.shape = Tank{Vec3(0), Vec3(0.8, 0.8, 1.2), {Side::top}}, .layers = 1, .holes = {}}};
   for (int i = -1; i < 9; ++i)
     for (int j = -1; j < 9; ++j)
       for (int k = -1; k < 12; ++k)
         if (i < 0 || i > 7 || j < 0 || j > 7 || k < 0)
-          still.still_life.walls.emplace_back((i + 0.5) * dx, (j + 0.5) * dx, (k + 0.5) * dx);
+          still.static_scene.walls.emplace_back((i + 0.5) * dx, (j + 0.5) * dx, (k + 0.5) * dx);
   for (int i = 0; i < 8; ++i)
     for (int j = 0; j < 8; ++j)
       for (int k = 0; k < 8; ++k) {
@@ -85,7 +85,7 @@ Still cup() {
 
 Image drawn(const Still& still) {
   Image image;
-  make_renderer(still.scene, still.still_life, device_choice(""))->draw(still.frame, image);
+  make_renderer(still.scene, still.static_scene, device_choice(""))->draw(still.frame, image);
   return image;
 }
 

@@ -12,7 +12,7 @@ namespace weir::test {
 
 struct Still {
   Scene scene;
-  StillLife still_life;
+  StaticScene static_scene;
   Frame frame;
 };
 

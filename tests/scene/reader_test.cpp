@@ -77,7 +77,7 @@ particles: {spacing: 0.01}
 fluid:
   rest_density: 998
   viscosity: {model: monaghan, kinematic: 1.0e-5}
-  surface_tension: {model: seed_a, coefficient: 0.5}
+  surface_tension: {model: hinsch2024, coefficient: 0.5}
   volumes:
     - box: {min: [0, 0], max: [1, 1]}
       velocity: [1, 2]

@@ -28,7 +28,7 @@ particles: {spacing: 0.1}
 fluid:
   rest_density: 900
   viscosity: {model: monaghan, kinematic: 0.001}
-  surface_tension: {model: seed_a, coefficient: 0.5}
+  surface_tension: {model: hinsch2024, coefficient: 0.5}
   volumes:
     - {box: {min: [0, 0], max: [1, 1]}, velocity: [1, 2], angular_velocity: 3}
     - disc: {center: [3, 3], radius: 0.5}
@@ -144,11 +144,11 @@ TEST(Schema, ListsTheSameKeysAsTheReference) {
 // Another right value in place of a leaf is among these.
 std::vector<std::string> other_values(const Node& leaf) {
   if (leaf.quoted) return {leaf.text + "x"};
-  return {leaf.text + "1", "none",    "inside", "wendland_c2", "keep",       "free_slip", "pressure",
-          "cividis",       "[1, 2]",  "title",  "dark",        "true",       "false",     "left",
-          "right",         "outside", "seed_a", "naive",       "index_sort", "clamp",     "no_slip",
-          "light",         "speed",   "back",   "bottom",      "morris",     "auto",      "viridis",
-          "cubic_spline",  "0.51",    "1",      "2",           "7",          "20"};
+  return {leaf.text + "1", "none",    "inside",     "wendland_c2", "keep",       "free_slip", "pressure",
+          "cividis",       "[1, 2]",  "title",      "dark",        "true",       "false",     "left",
+          "right",         "outside", "hinsch2024", "naive",       "index_sort", "clamp",     "no_slip",
+          "light",         "speed",   "back",       "bottom",      "morris",     "auto",      "viridis",
+          "cubic_spline",  "0.51",    "1",          "2",           "7",          "20"};
 }
 
 void each_leaf(const Node& node, const std::string& path,
@@ -194,8 +194,8 @@ TEST(Reader, ReadsChoicesThatDependOnTheRest) {
   };
   EXPECT_EQ(round("outside", "3"), Face::outside);
   EXPECT_EQ(mistakes_in(shortest_text + "walls: [{disc: {center: [0, 0], radius: 3, solid: inside}}]\n").size(), 1U);
-  EXPECT_EQ(scene_of(shortest_text, {"fluid.surface_tension.model=seed_a"}).fluid.surface_tension.model,
-            SurfaceTensionModel::seed_a);
+  EXPECT_EQ(scene_of(shortest_text, {"fluid.surface_tension.model=hinsch2024"}).fluid.surface_tension.model,
+            SurfaceTensionModel::hinsch2024);
 }
 
 TEST(Reader, ReadsGravityOfEvents) {

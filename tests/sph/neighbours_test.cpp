@@ -13,7 +13,7 @@ namespace {
 template <int Dim>
 FluidParticles<Dim> fluid_at(const std::vector<Vec<Dim, double>>& points) {
   FluidParticles<Dim> fluid;
-  static_cast<Places<Dim>&>(fluid) = unsorted<Dim>(points);
+  static_cast<Positions<Dim>&>(fluid) = unsorted<Dim>(points);
   for (auto& each : fluid.velocity) each.resize(fluid.slots() + group_size);
   fluid.count = points.size();
   return fluid;
@@ -32,7 +32,7 @@ std::vector<Vec<Dim, double>> scattered(std::size_t n, double low, double high, 
 
 // Pairs closer than `radius`, each compared with each.
 template <int Dim>
-IdPairs near(const Places<Dim>& from, const Places<Dim>& to, double radius, bool same) {
+IdPairs near(const Positions<Dim>& from, const Positions<Dim>& to, double radius, bool same) {
   IdPairs pairs;
   for (std::size_t i = 0; i < from.slots(); ++i) {
     if (from.empty(i)) continue;
@@ -57,11 +57,11 @@ template <int Dim>
 void expect_every_pair_within(const std::vector<Vec<Dim, double>>& points,
                               const std::vector<Vec<Dim, double>>& wall_points, NeighbourSearch search,
                               InstructionSet set) {
-  Team team(2);
+  ThreadPool pool(2);
   const double radius = 1;
   auto fluid = fluid_at<Dim>(points);
   WallParticles<Dim> walls = unsorted<Dim>(wall_points);
-  Neighbours<Dim> neighbours({spacing, radius, 0, many, search, set}, team, walls);
+  Neighbours<Dim> neighbours({spacing, radius, 0, many, search, set}, pool, walls);
   neighbours.update(fluid, walls);
   const int rows = loops_for<Dim>(set, {}).rows;
   const IdPairs listed = listed_fluid_pairs<Dim>(neighbours, fluid, rows);
@@ -101,13 +101,13 @@ TYPED_TEST(NeighboursIn, EqualBruteForceWithEveryInstructionSet) {
 // The sorted search lists what comparing everything with everything lists, in the same order.
 TYPED_TEST(NeighboursIn, BothSearchesMakeTheSameLists) {
   constexpr int dim = TypeParam::value;
-  Team team(2);
+  ThreadPool pool(2);
   for (const InstructionSet set : usable_instruction_sets()) {
     std::vector<std::vector<std::int32_t>> lists;
     for (const NeighbourSearch search : {NeighbourSearch::index_sort, NeighbourSearch::naive}) {
       auto fluid = fluid_at<dim>(scattered<dim>(3000, -8, 8, 6));
       WallParticles<dim> walls = unsorted<dim>(scattered<dim>(600, -9, 9, 7));
-      Neighbours<dim> neighbours({spacing, 1, 0.2, many, search, set}, team, walls);
+      Neighbours<dim> neighbours({spacing, 1, 0.2, many, search, set}, pool, walls);
       neighbours.update(fluid, walls);
       std::vector<std::int32_t> all;
       for (std::size_t tile = 0; tile < neighbours.tiling().tiles().size(); ++tile) {
@@ -122,7 +122,7 @@ TYPED_TEST(NeighboursIn, BothSearchesMakeTheSameLists) {
 }
 
 // [Hinsch24 ch. 6.1.2], the particle itself counted as there.
-TEST(SeedA, FindsThirteenNineAndFiveNeighboursOnTheLattice) {
+TEST(Hinsch2024, FindsThirteenNineAndFiveNeighboursOnTheLattice) {
   const double h = 0.3;
   std::vector<Vec<2, double>> lattice;
   for (int y = 0; y < 11; ++y) {
@@ -134,10 +134,10 @@ TEST(SeedA, FindsThirteenNineAndFiveNeighboursOnTheLattice) {
     const IdPairs pairs = near<2>(fluid, fluid, radius * h, false);
     EXPECT_EQ(std::count_if(pairs.begin(), pairs.end(), [](const auto& pair) { return pair.first == center; }), count);
     auto sorted = fluid_at<2>(lattice);
-    Team team(1);
+    ThreadPool pool(1);
     WallParticles<2> walls;
     const InstructionSet set = usable_instruction_sets().back();
-    Neighbours<2> neighbours({h, radius * h, 0, many, NeighbourSearch::index_sort, set}, team, walls);
+    Neighbours<2> neighbours({h, radius * h, 0, many, NeighbourSearch::index_sort, set}, pool, walls);
     neighbours.update(sorted, walls);
     IdPairs listed = listed_fluid_pairs<2>(neighbours, sorted, loops_for<2>(set, {}).rows);
     listed.insert({center, center});
@@ -171,10 +171,10 @@ void move_all(FluidParticles<Dim>& fluid, Neighbours<Dim>& neighbours, const Mov
 TYPED_TEST(NeighboursIn, ListsWithASkinNeverMissAPair) {
   constexpr int dim = TypeParam::value;
   auto fluid = fluid_at<dim>(scattered<dim>(400, -3, 3, 8));
-  Team team(2);
+  ThreadPool pool(2);
   WallParticles<dim> walls = unsorted<dim>(scattered<dim>(100, -3, 3, 9));
   const InstructionSet set = usable_instruction_sets().back();
-  Neighbours<dim> neighbours({spacing, 1, 0.2, many, NeighbourSearch::index_sort, set}, team, walls);
+  Neighbours<dim> neighbours({spacing, 1, 0.2, many, NeighbourSearch::index_sort, set}, pool, walls);
   const int rows = loops_for<dim>(set, {}).rows;
   std::mt19937 random(10);
   std::uniform_real_distribution<float> u(-0.02F, 0.02F);
@@ -208,11 +208,11 @@ TYPED_TEST(NeighboursIn, OnlyWhatMovedIsListedAnew) {
     point[0] *= tiles_in_a_row;
     points.push_back(point);
   }
-  Team team(2);
+  ThreadPool pool(2);
   auto fluid = fluid_at<dim>(points);
   WallParticles<dim> walls;
   const InstructionSet set = usable_instruction_sets().back();
-  Neighbours<dim> neighbours({spacing, 1, 0.2, many, NeighbourSearch::index_sort, set}, team, walls);
+  Neighbours<dim> neighbours({spacing, 1, 0.2, many, NeighbourSearch::index_sort, set}, pool, walls);
   neighbours.update(fluid, walls);
   ASSERT_EQ(neighbours.tiling().tiles().size(), tiles_in_a_row);
   EXPECT_EQ(neighbours.listed_tiles(), tiles_in_a_row);
@@ -233,10 +233,10 @@ TYPED_TEST(NeighboursIn, OnlyWhatMovedIsListedAnew) {
 TYPED_TEST(NeighboursIn, AUniformMotionNeedsNoNewLists) {
   constexpr int dim = TypeParam::value;
   for (const bool walled : {false, true}) {
-    Team team(1);
+    ThreadPool pool(1);
     auto fluid = fluid_at<dim>(scattered<dim>(100, 0, 2, 12));
     WallParticles<dim> walls = unsorted<dim>(walled ? scattered<dim>(10, 0, 2, 13) : std::vector<Vec<dim, double>>{});
-    Neighbours<dim> neighbours({spacing, 1, 0.2, many, NeighbourSearch::index_sort, InstructionSet::baseline}, team,
+    Neighbours<dim> neighbours({spacing, 1, 0.2, many, NeighbourSearch::index_sort, InstructionSet::baseline}, pool,
                                walls);
     neighbours.update(fluid, walls);
     const auto far = static_cast<float>(0.5 * (neighbours.tiling().lattice().edge() - 1.2));

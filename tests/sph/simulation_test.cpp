@@ -22,7 +22,7 @@ std::string hash_after(const Scene& scene, int threads, InstructionSet set = def
 Scene short_dam_break(int dimension) {
   Scene scene = small_dam_break(dimension, dimension == 2 ? 0.02 : 0.05);
   scene.duration = 0.1;
-  scene.fluid.surface_tension = {SurfaceTensionModel::seed_a, dimension == 2 ? 1e-4 : 1e-6};
+  scene.fluid.surface_tension = {SurfaceTensionModel::hinsch2024, dimension == 2 ? 1e-4 : 1e-6};
   return scene;
 }
 
@@ -67,7 +67,7 @@ TEST(Skip, AnAbsentTermIsATermOfNothing) {
     scene.fluid.viscosity = {ViscosityModel::none, 0};
     scene.fluid.surface_tension = {};
     const std::string bare = hash_after(scene, 2, set);
-    for (const ViscosityModel model : {ViscosityModel::morris, ViscosityModel::monaghan, ViscosityModel::seed_a}) {
+    for (const ViscosityModel model : {ViscosityModel::morris, ViscosityModel::monaghan, ViscosityModel::hinsch2024}) {
       scene.fluid.viscosity = {model, 0};
       for (const WallSlip slip : {WallSlip::no_slip, WallSlip::free_slip}) {
         scene.solver.wall_slip = slip;
@@ -75,7 +75,7 @@ TEST(Skip, AnAbsentTermIsATermOfNothing) {
       }
     }
     scene.fluid.viscosity = {ViscosityModel::none, 0};
-    scene.fluid.surface_tension = {SurfaceTensionModel::seed_a, 0};
+    scene.fluid.surface_tension = {SurfaceTensionModel::hinsch2024, 0};
     EXPECT_EQ(hash_after(scene, 2, set), bare);
   });
 }

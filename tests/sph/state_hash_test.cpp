@@ -32,8 +32,8 @@ std::vector<Case> generated_cases() {
   for (const int dimension : {2, 3}) {
     for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
       for (const ViscosityModel viscosity :
-           {ViscosityModel::none, ViscosityModel::morris, ViscosityModel::monaghan, ViscosityModel::seed_a}) {
-        for (const SurfaceTensionModel tension : {SurfaceTensionModel::none, SurfaceTensionModel::seed_a}) {
+           {ViscosityModel::none, ViscosityModel::morris, ViscosityModel::monaghan, ViscosityModel::hinsch2024}) {
+        for (const SurfaceTensionModel tension : {SurfaceTensionModel::none, SurfaceTensionModel::hinsch2024}) {
           for (const WallSlip slip : {WallSlip::no_slip, WallSlip::free_slip}) {
             Scene scene = small_dam_break(dimension, dimension == 2 ? 0.02 : 0.05);
             scene.solver.kernel = {kernel, kernel == KernelName::cubic_spline ? 1.0 : 1.3};

@@ -42,9 +42,9 @@ std::string told(const Scene& scene, InstructionSet set) {
 }
 
 template <int Dim>
-void expect_density_and_pressure_of_brute_force(const Scene& scene, const Sampling& sampling, Team& team,
+void expect_density_and_pressure_of_brute_force(const Scene& scene, const Sampling& sampling, ThreadPool& pool,
                                                 InstructionSet set) {
-  Wcsph<Dim> solver(scene, sampling, team, set);
+  Wcsph<Dim> solver(scene, sampling, pool, set);
   solver.find_neighbours();
   solver.compute_density_and_pressure();
   const State<Dim> state(solver);
@@ -65,7 +65,7 @@ void expect_density_and_pressure_of_brute_force(const Scene& scene, const Sampli
 
 TYPED_TEST(WcsphIn, DensityAndPressureEqualADoublePrecisionBruteForce) {
   constexpr int dim = TypeParam::value;
-  Team team(2);
+  ThreadPool pool(2);
   for_each_kernel(small_dam_break(dim, dim == 2 ? 0.025 : 0.05), [&](Scene scene) {
     const Sampling sampling = shaken(scene, 2);
     for (const int exponent : {1, 7}) {
@@ -73,7 +73,7 @@ TYPED_TEST(WcsphIn, DensityAndPressureEqualADoublePrecisionBruteForce) {
       for (const NegativePressure negative : {NegativePressure::clamp, NegativePressure::keep}) {
         scene.solver.negative_pressure = negative;
         for (const InstructionSet set : usable_instruction_sets()) {
-          expect_density_and_pressure_of_brute_force<dim>(scene, sampling, team, set);
+          expect_density_and_pressure_of_brute_force<dim>(scene, sampling, pool, set);
         }
       }
     }
@@ -83,17 +83,17 @@ TYPED_TEST(WcsphIn, DensityAndPressureEqualADoublePrecisionBruteForce) {
 Scene viscous_and_cohesive_dam_break(int dim) {
   Scene scene = small_dam_break(dim, dim == 2 ? 0.025 : 0.05);
   scene.fluid.viscosity = {ViscosityModel::morris, 0.01};
-  scene.fluid.surface_tension = {SurfaceTensionModel::seed_a, dim == 2 ? 1e-4 : 1e-6};
+  scene.fluid.surface_tension = {SurfaceTensionModel::hinsch2024, dim == 2 ? 1e-4 : 1e-6};
   return scene;
 }
 
 TYPED_TEST(WcsphIn, AccelerationEqualsADoublePrecisionBruteForce) {
   constexpr int dim = TypeParam::value;
-  Team team(2);
+  ThreadPool pool(2);
   for_each_kernel(viscous_and_cohesive_dam_break(dim), [&](const Scene& scene) {
     const Sampling sampling = shaken(scene, 3);
     for (const InstructionSet set : usable_instruction_sets()) {
-      Wcsph<dim> solver(scene, sampling, team, set);
+      Wcsph<dim> solver(scene, sampling, pool, set);
       accelerate(solver);
       const State<dim> state(solver);
       const BruteForce<dim> exact{scene, state};
@@ -170,7 +170,7 @@ std::vector<Vec<Dim, double>> accelerations_over_all_pairs(const State<Dim>& sta
     if (scene.fluid.surface_tension.model == SurfaceTensionModel::none) {
       return accelerations_over_all_pairs<Dim>(state, scene, pressure, kernel, slip, push, viscosity...);
     }
-    const auto tension = SeedASurfaceTension::of(scene.fluid.surface_tension.coefficient, particle_mass(scene));
+    const auto tension = Hinsch2024SurfaceTension::of(scene.fluid.surface_tension.coefficient, particle_mass(scene));
     return accelerations_over_all_pairs<Dim>(state, scene, pressure, kernel, slip, push, viscosity..., tension);
   };
   switch (scene.fluid.viscosity.model) {
@@ -180,15 +180,15 @@ std::vector<Vec<Dim, double>> accelerations_over_all_pairs(const State<Dim>& sta
       return with(MorrisViscosity::of<Dim>(nu, h));
     case ViscosityModel::monaghan:
       return with(MonaghanViscosity::of<Dim>(nu, h));
-    case ViscosityModel::seed_a:
-      return with(SeedAViscosity::of<Dim>(nu, h));
+    case ViscosityModel::hinsch2024:
+      return with(Hinsch2024Viscosity::of<Dim>(nu, h));
   }
   return {};
 }
 
 template <int Dim>
-void expect_equal_to_all_pairs(const Scene& scene, const Sampling& sampling, Team& team, InstructionSet set) {
-  Wcsph<Dim> solver(scene, sampling, team, set);
+void expect_equal_to_all_pairs(const Scene& scene, const Sampling& sampling, ThreadPool& pool, InstructionSet set) {
+  Wcsph<Dim> solver(scene, sampling, pool, set);
   accelerate(solver);
   const State<Dim> state(solver);
   const std::vector<double>& pressure = state.pressure_term;
@@ -209,19 +209,19 @@ void expect_equal_to_all_pairs(const Scene& scene, const Sampling& sampling, Tea
 
 TYPED_TEST(WcsphIn, EveryChoiceOfTermsEqualsTheSamePassesInDoubleOverAllPairs) {
   constexpr int dim = TypeParam::value;
-  Team team(2);
+  ThreadPool pool(2);
   for (const InstructionSet set : usable_instruction_sets()) {
     for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
       for (const ViscosityModel viscosity :
-           {ViscosityModel::none, ViscosityModel::morris, ViscosityModel::monaghan, ViscosityModel::seed_a}) {
+           {ViscosityModel::none, ViscosityModel::morris, ViscosityModel::monaghan, ViscosityModel::hinsch2024}) {
         for (const WallSlip slip : {WallSlip::no_slip, WallSlip::free_slip}) {
-          for (const SurfaceTensionModel tension : {SurfaceTensionModel::none, SurfaceTensionModel::seed_a}) {
+          for (const SurfaceTensionModel tension : {SurfaceTensionModel::none, SurfaceTensionModel::hinsch2024}) {
             Scene scene = small_dam_break(dim, dim == 2 ? 0.025 : 0.05);
             scene.solver.kernel = {kernel, 1.3};
             scene.fluid.viscosity = {viscosity, 0.01};
             scene.solver.wall_slip = slip;
             scene.fluid.surface_tension = {tension, dim == 2 ? 1e-4 : 1e-6};
-            expect_equal_to_all_pairs<dim>(scene, shaken(scene, 4), team, set);
+            expect_equal_to_all_pairs<dim>(scene, shaken(scene, 4), pool, set);
           }
         }
       }
@@ -231,15 +231,15 @@ TYPED_TEST(WcsphIn, EveryChoiceOfTermsEqualsTheSamePassesInDoubleOverAllPairs) {
 
 TYPED_TEST(WcsphIn, ConservesMomentumToRoundOff) {
   constexpr int dim = TypeParam::value;
-  Team team(2);
+  ThreadPool pool(2);
   for (const ViscosityModel model : {ViscosityModel::none, ViscosityModel::morris, ViscosityModel::monaghan}) {
     for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
       Scene scene = free_fluid(dim, dim == 2 ? 30 : 10);
       scene.fluid.viscosity = {model, 0.1};
-      scene.fluid.surface_tension = {SurfaceTensionModel::seed_a, 1e-3};
+      scene.fluid.surface_tension = {SurfaceTensionModel::hinsch2024, 1e-3};
       scene.solver.kernel = {kernel, 1.2};
       scene.solver.negative_pressure = NegativePressure::keep;
-      Wcsph<dim> solver(scene, shaken(scene, 5), team);
+      Wcsph<dim> solver(scene, shaken(scene, 5), pool);
       accelerate(solver);
       const State<dim> state(solver);
       const auto n = static_cast<double>(state.size());
@@ -262,7 +262,7 @@ TYPED_TEST(WcsphIn, LargestSignalSpeedAndAccelerationAreThoseOfAllParticles) {
   Scene scene = small_dam_break(dim, dim == 2 ? 0.025 : 0.05);
   scene.fluid.viscosity = {ViscosityModel::morris, 0.01};
   const Sampling sampling = shaken(scene, 6);
-  Team team(2);
+  ThreadPool pool(2);
   for (const int exponent : {1, 7}) {
     scene.solver.exponent = exponent;
     // Rounded are the ratio of densities (the reciprocal and the product), which counts (exponent - 1)/2 times, as do the
@@ -270,7 +270,7 @@ TYPED_TEST(WcsphIn, LargestSignalSpeedAndAccelerationAreThoseOfAllParticles) {
     const double per_density = 0.5 * (exponent - 1);
     const double by_formula = (per_density * 3 + 8) * rounding;
     for (const InstructionSet set : usable_instruction_sets()) {
-      Wcsph<dim> solver(scene, sampling, team, set);
+      Wcsph<dim> solver(scene, sampling, pool, set);
       accelerate(solver);
       const State<dim> state(solver);
       const BruteForce<dim> exact{scene, state};
@@ -303,12 +303,12 @@ TYPED_TEST(WcsphIn, IntegrationEqualsEulerCromerInDouble) {
   constexpr int dim = TypeParam::value;
   const Scene scene = small_dam_break(dim, dim == 2 ? 0.025 : 0.05);
   const Sampling sampling = shaken(scene, 7);
-  Team team(2);
+  ThreadPool pool(2);
   const double dt = 1e-6F;
   constexpr int steps = 100;
   const double widest = 1;  // m, more than any place in its tile
   for (const InstructionSet set : usable_instruction_sets()) {
-    Wcsph<dim> solver(scene, sampling, team, set);
+    Wcsph<dim> solver(scene, sampling, pool, set);
     accelerate(solver);
     State<dim> last(solver);
     auto place = last.position;
@@ -342,15 +342,15 @@ TYPED_TEST(WcsphIn, IntegrationEqualsEulerCromerInDouble) {
 // hundredth of the sum.
 TYPED_TEST(WcsphIn, InstructionSetsAgreeParticleByParticle) {
   constexpr int dim = TypeParam::value;
-  Team team(2);
+  ThreadPool pool(2);
   for_each_kernel(viscous_and_cohesive_dam_break(dim), [&](const Scene& scene) {
     const Sampling sampling = shaken(scene, 8);
-    Wcsph<dim> first(scene, sampling, team, usable_instruction_sets().front());
+    Wcsph<dim> first(scene, sampling, pool, usable_instruction_sets().front());
     accelerate(first);
     const State<dim> one(first);
     const double largest = largest_norm<dim>(one.acceleration);
     for (const InstructionSet set : usable_instruction_sets()) {
-      Wcsph<dim> solver(scene, sampling, team, set);
+      Wcsph<dim> solver(scene, sampling, pool, set);
       accelerate(solver);
       const State<dim> own(solver);
       for (std::size_t i = 0; i < own.size(); ++i) {
@@ -381,9 +381,9 @@ template <int Dim, class Spoil>
 void expect_found_in_any_slot(const Spoil& spoil) {
   const Scene scene = small_dam_break(Dim, Dim == 2 ? 0.025 : 0.05);
   const Sampling sampling = shaken(scene, 9);
-  Team team(2);
+  ThreadPool pool(2);
   for (const InstructionSet set : usable_instruction_sets()) {
-    Wcsph<Dim> solver(scene, sampling, team, set);
+    Wcsph<Dim> solver(scene, sampling, pool, set);
     for (std::size_t slot = 0; slot < solver.fluid().slots(); slot += 7) {  // 7: every lane of 16 in turn
       solver.reset(sampling);
       solver.find_neighbours();

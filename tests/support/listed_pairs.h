@@ -16,8 +16,8 @@ namespace detail {
 
 // The clusters of the segments at `list` against a row; returns what follows them.
 template <int Dim>
-const std::int32_t* take_segments(const std::int32_t* list, const Places<Dim>& fluid, std::int32_t row, int rows,
-                                  const Places<Dim>& others, IdPairs& pairs) {
+const std::int32_t* take_segments(const std::int32_t* list, const Positions<Dim>& fluid, std::int32_t row, int rows,
+                                  const Positions<Dim>& others, IdPairs& pairs) {
   while (const std::int32_t header = *list++) {
     for (std::int32_t n = header >> segment_code_bits; n > 0; --n, ++list) {
       for (int i = 0; i < rows; ++i) {
@@ -36,7 +36,7 @@ inline void drop_empty(IdPairs& pairs) {
 
 // (i, j) and (j, i) for fluid particles that the lists bring together.
 template <int Dim>
-IdPairs listed_fluid_pairs(const Neighbours<Dim>& neighbours, const Places<Dim>& fluid, int rows) {
+IdPairs listed_fluid_pairs(const Neighbours<Dim>& neighbours, const Positions<Dim>& fluid, int rows) {
   IdPairs pairs;
   for (std::size_t tile = 0; tile < neighbours.tiling().tiles().size(); ++tile) {
     const std::int32_t* list = neighbours.lists().fluid[tile].data();
@@ -66,7 +66,7 @@ IdPairs listed_fluid_pairs(const Neighbours<Dim>& neighbours, const Places<Dim>&
 
 // (i, j) for a fluid particle i and a wall particle j.
 template <int Dim>
-IdPairs listed_wall_pairs(const Neighbours<Dim>& neighbours, const Places<Dim>& fluid, const Places<Dim>& walls,
+IdPairs listed_wall_pairs(const Neighbours<Dim>& neighbours, const Positions<Dim>& fluid, const Positions<Dim>& walls,
                           int rows) {
   IdPairs pairs;
   for (std::size_t tile = 0; tile < neighbours.tiling().tiles().size(); ++tile) {

@@ -41,7 +41,7 @@ WEIR_INLINE void append_near_clusters(const TilesView<Dim>& set, const Box<Dim>&
 template <int Dim>
 WEIR_INLINE void append_candidates(const ListInput<Dim>& in, const TilesView<Dim>& set, std::int32_t tile,
                                    const Box<Dim>& box, std::int32_t from, IntBuffer& found) {
-  // Places were rounded when they were sorted into columns.
+  // Positions were rounded when they were sorted into columns.
   const float reach = in.reach + 1e-5F * in.edge;
   const float half = 0.5F * in.edge;
   const float columns_per_length = static_cast<float>(in.columns) / in.edge;
@@ -105,7 +105,7 @@ WEIR_INLINE std::int32_t* write_near(const Vec<Dim, Lanes> row, const Vec<Dim, c
 }
 
 template <int Dim>
-WEIR_INLINE Vec<Dim, const float*> places_of(const TilesView<Dim>& set) {
+WEIR_INLINE Vec<Dim, const float*> positions_of(const TilesView<Dim>& set) {
   Vec<Dim, const float*> x;
   for (int d = 0; d < Dim; ++d) x[d] = set.x[d];
   return x;
@@ -129,7 +129,7 @@ WEIR_INLINE void append_segments(const ListInput<Dim>& in, const TilesView<Dim>&
     Vec<Dim, Lanes> shifted;
     for (int d = 0; d < Dim; ++d) shifted[d] = row[d] - Lanes(in.edge * static_cast<float>(segment.offset[d]));
     std::int32_t* const header = list.data() + list.size();
-    const std::int32_t* const out = write_near<Dim>(shifted, places_of(set), in.reach, candidates + segment.begin,
+    const std::int32_t* const out = write_near<Dim>(shifted, positions_of(set), in.reach, candidates + segment.begin,
                                                     candidates + segment.end, header + 1);
     const auto found = static_cast<std::int32_t>(out - header - 1);
     if (found == 0) continue;
@@ -277,7 +277,7 @@ class TileLister {
     const std::int32_t* candidate = scratch_.data();
     const std::int32_t* const end = candidate + own_end_;
     while (candidate != end && *candidate <= first_slot) ++candidate;  // they ascend
-    const std::int32_t* const out = write_near<Dim>(row, places_of(in_.fluid), in_.reach, candidate, end, count + 1);
+    const std::int32_t* const out = write_near<Dim>(row, positions_of(in_.fluid), in_.reach, candidate, end, count + 1);
     *count = static_cast<std::int32_t>(out - count - 1);
     fluid_list_.set_size(static_cast<std::size_t>(out - fluid_list_.data()));
   }

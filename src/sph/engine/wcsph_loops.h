@@ -180,8 +180,8 @@ StepExtremes<Dim> integrate(const IntegrateArguments<Dim>& in, std::int32_t tile
 
 template <int Dim, template <int> class Kernel, class Viscosity>
 void choose_terms(const Terms& terms, Loops<Dim>& loops) {
-  loops.fluid_acceleration = terms.surface_tension == SurfaceTensionModel::seed_a
-                                 ? fluid_acceleration<Dim, Kernel, Viscosity, SeedASurfaceTension>
+  loops.fluid_acceleration = terms.surface_tension == SurfaceTensionModel::hinsch2024
+                                 ? fluid_acceleration<Dim, Kernel, Viscosity, Hinsch2024SurfaceTension>
                                  : fluid_acceleration<Dim, Kernel, Viscosity, Absent>;
   // Walls that let the fluid slip exert no friction.
   loops.wall_acceleration = terms.wall_slip == WallSlip::no_slip ? wall_acceleration<Dim, Kernel, Viscosity>
@@ -199,8 +199,8 @@ void choose_viscosity(const Terms& terms, Loops<Dim>& loops) {
       return choose_terms<Dim, Kernel, MorrisViscosity>(terms, loops);
     case ViscosityModel::monaghan:
       return choose_terms<Dim, Kernel, MonaghanViscosity>(terms, loops);
-    case ViscosityModel::seed_a:
-      return choose_terms<Dim, Kernel, SeedAViscosity>(terms, loops);
+    case ViscosityModel::hinsch2024:
+      return choose_terms<Dim, Kernel, Hinsch2024Viscosity>(terms, loops);
   }
 }
 

@@ -1,4 +1,4 @@
-#include "core/team.h"
+#include "core/thread_pool.h"
 
 #include <sched.h>
 
@@ -56,23 +56,23 @@ int thread_count(int requested) {
   return processors();
 }
 
-Team::Team(int threads) : shares_(static_cast<std::size_t>(std::max(threads, 1))) {
+ThreadPool::ThreadPool(int threads) : shares_(static_cast<std::size_t>(std::max(threads, 1))) {
   for (std::size_t k = 1; k < shares_.size(); ++k) helpers_.emplace_back([this, k] { help(k); });
 }
 
-Team::~Team() {
+ThreadPool::~ThreadPool() {
   ending_ = true;
   ++loops_;
   loops_.notify_all();
   for (std::thread& helper : helpers_) helper.join();
 }
 
-void Team::give_way_to(const std::atomic<int>& others) {
+void ThreadPool::give_way_to(const std::atomic<int>& others) {
   others_ = &others;
   processors_ = processors();
 }
 
-void Team::run(std::size_t count, Call call, const void* object) {
+void ThreadPool::run(std::size_t count, Call call, const void* object) {
   const Span span(loop_span);
   std::size_t wanted = std::min({helpers_.size(), most_helpers_, count / turns_per_helper});
   if (others_ != nullptr) wanted = std::min(wanted, static_cast<std::size_t>(std::max(processors_ - *others_ - 1, 0)));
@@ -101,14 +101,14 @@ void Team::run(std::size_t count, Call call, const void* object) {
   for (int inside = inside_; inside != 0; inside = inside_) await_change(inside_, inside);
 }
 
-void Team::take_turns(std::size_t first_share) {
+void ThreadPool::take_turns(std::size_t first_share) {
   for (std::size_t n = 0; n < shares_.size(); ++n) {
     Share& share = shares_[(first_share + n) % shares_.size()];
     for (std::size_t k = share.next++; k < share.end; k = share.next++) call_(object_, k);
   }
 }
 
-void Team::help(std::size_t share) {
+void ThreadPool::help(std::size_t share) {
   int seen = 0;
   while (true) {
     await_change(loops_, seen);

@@ -1,4 +1,4 @@
-// The figures of seed A, one function each. Those that simulate take their scene, so that tests can give them less.
+// The figures of Hinsch 2024, one function each. Those that simulate take their scene, so that tests can give them less.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ LinePlot time_step_figure(const Scene& tower, const ReportOptions& options);
 double tower_time_step(const Scene& tower, double stiffness);
 
 // Figure 7.4: what finding the neighbours of so many particles costs, with either search, alone and in a step that searches,
-// as the seed's do; weir's own steps mostly keep their lists. Times are of this machine.
+// as the paper's do; weir's own steps mostly keep their lists. Times are of this machine.
 LinePlot search_figure(const Scene& tower, const std::vector<std::int64_t>& particles, const ReportOptions& options);
 
 // Figure 8.1: nine pictures over the whole duration, and what the log knows of these instants.

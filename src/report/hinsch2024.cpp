@@ -1,4 +1,4 @@
-#include "report/seed_a.h"
+#include "report/hinsch2024.h"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@ constexpr double shown = 2;
 
 }  // namespace
 
-void report_seed_a(const ReportOptions& options) {
+void report_hinsch2024(const ReportOptions& options) {
   ReportOptions checked = options;
   if (!checked.message) checked.message = [](const std::string&) {};
   const std::filesystem::path& folder = options.folder;

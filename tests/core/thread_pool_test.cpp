@@ -1,4 +1,4 @@
-#include "core/team.h"
+#include "core/thread_pool.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,37 +17,37 @@
 namespace weir {
 namespace {
 
-TEST(Team, TakesEveryTurnOnce) {
+TEST(ThreadPool, TakesEveryTurnOnce) {
   for (const int threads : {1, 2, 3, 8}) {
-    Team team(threads);
+    ThreadPool pool(threads);
     for (const std::size_t count : {0, 1, 2, 3, 17, 1000}) {
       std::vector<int> turns(count, 0);
-      team.for_each(count, [&](std::size_t k) { ++turns[k]; });
+      pool.for_each(count, [&](std::size_t k) { ++turns[k]; });
       EXPECT_EQ(turns, std::vector<int>(count, 1)) << threads << " threads, " << count << " turns";
     }
   }
 }
 
 // Helpers of one loop must not leak into the next: each loop's data goes out of scope at once.
-TEST(Team, RunsManyShortLoopsAfterEachOther) {
-  Team team(4);
+TEST(ThreadPool, RunsManyShortLoopsAfterEachOther) {
+  ThreadPool pool(4);
   std::size_t total = 0;
   for (std::size_t loop = 0; loop < 20000; ++loop) {
     std::vector<std::size_t> turns(8 + loop % 5, 0);
-    team.for_each(turns.size(), [&](std::size_t k) { turns[k] = k + 1; });
+    pool.for_each(turns.size(), [&](std::size_t k) { turns[k] = k + 1; });
     total += std::accumulate(turns.begin(), turns.end(), std::size_t{0});
   }
   EXPECT_EQ(total, 4000 * (36 + 45 + 55 + 66 + 78));
 }
 
-TEST(Team, ThreadsThatAreNotUsedSleep) {
-  Team team(4);
-  team.use_at_most(2);
+TEST(ThreadPool, ThreadsThatAreNotUsedSleep) {
+  ThreadPool pool(4);
+  pool.use_at_most(2);
   std::atomic<int> at_once{0};
   std::atomic<int> most{0};
   std::vector<int> turns(200, 0);
   for (int loop = 0; loop < 20; ++loop) {
-    team.for_each(turns.size(), [&](std::size_t k) {
+    pool.for_each(turns.size(), [&](std::size_t k) {
       const int now = ++at_once;
       for (int seen = most; seen < now && !most.compare_exchange_weak(seen, now);) {
       }
@@ -58,20 +58,20 @@ TEST(Team, ThreadsThatAreNotUsedSleep) {
   }
   EXPECT_EQ(most, 2);
   EXPECT_THAT(turns, testing::Each(20));
-  team.use_at_most(1);
+  pool.use_at_most(1);
   const std::thread::id caller = std::this_thread::get_id();
-  team.for_each(turns.size(), [&](std::size_t k) { turns[k] = std::this_thread::get_id() == caller ? 1 : 0; });
+  pool.for_each(turns.size(), [&](std::size_t k) { turns[k] = std::this_thread::get_id() == caller ? 1 : 0; });
   EXPECT_THAT(turns, testing::Each(1));
 }
 
-TEST(Team, LeavesProcessorsToOthersWhileTheyAreAtWork) {
-  Team team(processors());
+TEST(ThreadPool, LeavesProcessorsToOthersWhileTheyAreAtWork) {
+  ThreadPool pool(processors());
   std::atomic<int> others{0};
-  team.give_way_to(others);
+  pool.give_way_to(others);
   const auto threads_at_work = [&] {
     std::mutex mutex;
     std::set<std::thread::id> seen;
-    team.for_each(200, [&](std::size_t) {
+    pool.for_each(200, [&](std::size_t) {
       std::this_thread::sleep_for(std::chrono::microseconds(100));
       const std::lock_guard lock(mutex);
       seen.insert(std::this_thread::get_id());
@@ -87,13 +87,13 @@ TEST(Team, LeavesProcessorsToOthersWhileTheyAreAtWork) {
   EXPECT_EQ(threads_at_work(), processors());
 }
 
-TEST(Team, AReductionHasTheSameBitsForAnySize) {
+TEST(ThreadPool, AReductionHasTheSameBitsForAnySize) {
   std::vector<double> values(100'000);
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = 1.0 / static_cast<double>(i + 1);
   const auto sum = [&](int threads) {
-    Team team(threads);
+    ThreadPool pool(threads);
     return parallel_reduce(
-        values.size(), team, 0.0,
+        values.size(), pool, 0.0,
         [&](std::size_t begin, std::size_t end) {
           return std::accumulate(values.begin() + static_cast<std::ptrdiff_t>(begin),
                                  values.begin() + static_cast<std::ptrdiff_t>(end), 0.0);

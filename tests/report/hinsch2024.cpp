@@ -1,4 +1,4 @@
-#include "report/seed_a.h"
+#include "report/hinsch2024.h"
 
 #include <gmock/gmock.h>
 
@@ -58,7 +58,7 @@ double mean(const std::vector<double>& values, std::size_t from) {
   return sum / static_cast<double>(values.size() - from);
 }
 
-TEST(SeedA, KernelFigureHoldsTheClosedForm) {
+TEST(Hinsch2024, KernelFigureHoldsTheClosedForm) {
   const LinePlot plot = kernel_figure();
   ASSERT_EQ(plot.series.size(), 3u);
   for (const Series& series : plot.series) {
@@ -84,7 +84,7 @@ TEST(SeedA, KernelFigureHoldsTheClosedForm) {
   EXPECT_EQ(centres, 3);
 }
 
-TEST(SeedA, KernelDerivativeFigureHoldsTheClosedForm) {
+TEST(Hinsch2024, KernelDerivativeFigureHoldsTheClosedForm) {
   const LinePlot plot = kernel_derivative_figure();
   ASSERT_EQ(plot.series.size(), 3u);
   for (const Series& series : plot.series) {
@@ -97,7 +97,7 @@ TEST(SeedA, KernelDerivativeFigureHoldsTheClosedForm) {
 }
 
 // A column at rest is compressed by rho g z / k-ish: four times the stiffness, a quarter of the error.
-TEST(SeedA, StifferTowersAreDenserByLess) {
+TEST(Hinsch2024, StifferTowersAreDenserByLess) {
   const LinePlot plot = stiffness_figure(small_tower(), silent());
   ASSERT_EQ(plot.series.size(), 3u);
   EXPECT_THAT(plot.series[0].label, "10");
@@ -116,7 +116,7 @@ TEST(SeedA, StifferTowersAreDenserByLess) {
 }
 
 // Erratum A5: against time the step size hardly matters.
-TEST(SeedA, TimeStepDoesNotChangeTheFrequencyOfTheTower) {
+TEST(Hinsch2024, TimeStepDoesNotChangeTheFrequencyOfTheTower) {
   const LinePlot plot = time_step_figure(small_tower(), silent());
   ASSERT_EQ(plot.series.size(), 3u);
   const auto swing = [](const Series& series) {
@@ -131,7 +131,7 @@ TEST(SeedA, TimeStepDoesNotChangeTheFrequencyOfTheTower) {
   }
 }
 
-TEST(SeedA, TimeStepDividesTheSamplingIntervalAndIsStable) {
+TEST(Hinsch2024, TimeStepDividesTheSamplingIntervalAndIsStable) {
   for (const double stiffness : {1e2, 1e4, 4e4, 1e5, 3e6, 1e9}) {
     Scene tower = small_tower();
     const double dt = tower_time_step(tower, stiffness);
@@ -142,7 +142,7 @@ TEST(SeedA, TimeStepDividesTheSamplingIntervalAndIsStable) {
   }
 }
 
-TEST(SeedA, StillsAreNinePicturesOverTheWholeRun) {
+TEST(Hinsch2024, StillsAreNinePicturesOverTheWholeRun) {
   Scene scene = small_tower();
   scene.title = "Small";
   scene.render.size = {320, 200};
@@ -162,7 +162,7 @@ TEST(SeedA, StillsAreNinePicturesOverTheWholeRun) {
   EXPECT_EQ(std::count(stills.csv.begin(), stills.csv.end(), '\n'), 10);
 }
 
-TEST(SeedA, ShippedScenesAreRightAndOfTheSizeOfTheSource) {
+TEST(Hinsch2024, ShippedScenesAreRightAndOfTheSizeOfTheSource) {
   EXPECT_TRUE(check(shipped_tower()).empty());
   EXPECT_TRUE(check(shipped_dam_break()).empty());
   const auto particles = static_cast<double>(estimate(shipped_dam_break()).fluid_particles);
@@ -170,7 +170,7 @@ TEST(SeedA, ShippedScenesAreRightAndOfTheSizeOfTheSource) {
 }
 
 // Times are the machine's; what stands beside them is not.
-TEST(SeedA, SearchFigureComparesBothSearchesOnTheSameTowers) {
+TEST(Hinsch2024, SearchFigureComparesBothSearchesOnTheSameTowers) {
   const LinePlot plot = search_figure(small_tower(), {200, 800}, silent());
   std::vector<std::string> labels;
   for (const Series& series : plot.series) {

@@ -23,7 +23,7 @@ constexpr std::int32_t group_size = 16;   // slots that share a tile; tiles are 
 constexpr float nowhere = 1e12F;
 
 template <int Dim>
-struct Places {
+struct Positions {
   std::array<AlignedVector<float>, Dim> x;     // m, from the tile's centre
   std::array<AlignedVector<float>, Dim> rest;  // m, what x lacks
   AlignedVector<std::int32_t> id;              // the particle's number in the scene's order; -1 in an empty slot
@@ -64,19 +64,19 @@ struct Places {
 
 // Points in the order of their numbers, all about one centre: how particles stand before they are sorted.
 template <int Dim>
-Places<Dim> unsorted(const std::vector<Vec<Dim, double>>& points) {
-  Places<Dim> places;
+Positions<Dim> unsorted(const std::vector<Vec<Dim, double>>& points) {
+  Positions<Dim> positions;
   const std::size_t slots = (points.size() + group_size - 1) / group_size * group_size;
-  places.resize(slots);
+  positions.resize(slots);
   for (std::size_t slot = 0; slot < slots; ++slot) {
     if (slot < points.size()) {
-      places.place(slot, points[slot]);
-      places.id[slot] = static_cast<std::int32_t>(slot);
+      positions.place(slot, points[slot]);
+      positions.id[slot] = static_cast<std::int32_t>(slot);
     } else {
-      places.clear(slot);
+      positions.clear(slot);
     }
   }
-  return places;
+  return positions;
 }
 
 }  // namespace weir

@@ -19,15 +19,15 @@ int processors();
 // `requested` if positive, else OMP_NUM_THREADS, else the processors this process may run on. Results never depend on it.
 int thread_count(int requested);
 
-class Team {
+class ThreadPool {
  public:
   // How loops are called in a trace: what of a step is in none of them, one thread does alone.
-  static constexpr const char* loop_span = "loop of the team";
+  static constexpr const char* loop_span = "loop of the thread pool";
 
-  explicit Team(int threads);  // the caller counts as one
-  ~Team();
-  Team(const Team&) = delete;
-  Team& operator=(const Team&) = delete;
+  explicit ThreadPool(int threads);  // the caller counts as one
+  ~ThreadPool();
+  ThreadPool(const ThreadPool&) = delete;
+  ThreadPool& operator=(const ThreadPool&) = delete;
 
   int size() const { return static_cast<int>(helpers_.size()) + 1; }
   // From the next loop on, at most so many threads work, the caller among them; the others sleep.
@@ -37,7 +37,7 @@ class Team {
   void give_way_to(const std::atomic<int>& others);
 
   // body(k) for each k of 0 .. count, once, in any order and on any thread; returns when all are done. The body must not
-  // throw, and must not use this team.
+  // throw, and must not use this pool.
   template <class Body>
   void for_each(std::size_t count, const Body& body) {
     run(

@@ -1,5 +1,5 @@
 // How exactly places are kept.
-#include "sph/places.h"
+#include "sph/positions.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ namespace {
 // What two of the particles see of each other while all of them fly on together, which is right in every frame of
 // reference: a place x from its tile's centre is rounded to 2^-24 of its size, which the solver lets grow to a tile's
 // width, 32 spacings; two of them, and the shift from one tile's frame to another's: 3 * 2^-24 * 32 = 6e-6 spacings.
-TEST(Places, ErrorOfPairsStaysBelowSixMillionthsOfASpacingHoweverFarTilesDrift) {
+TEST(Positions, ErrorOfPairsStaysBelowSixMillionthsOfASpacingHoweverFarTilesDrift) {
   Scene scene;
   scene.name = "flight";
   scene.gravity = Vec3(0);
@@ -25,9 +25,9 @@ TEST(Places, ErrorOfPairsStaysBelowSixMillionthsOfASpacingHoweverFarTilesDrift) 
   // Several tiles, off the lattice's own round numbers.
   scene.fluid.volumes = {
       {.shape = Box{Vec3(0.1037, 0.0511, 0), Vec3(1.3037, 1.2511, 0)}, .velocity = Vec3(7.1, -3.3, 0)}};
-  Team team(1);
+  ThreadPool pool(1);
   const Sampling sampling = sample(scene);
-  Wcsph<2> solver(scene, sampling, team);
+  Wcsph<2> solver(scene, sampling, pool);
   solver.find_neighbours();
   solver.compute_density_and_pressure();
 
