@@ -99,7 +99,7 @@ struct Wall {
 
 // ---- solver -------------------------------------------------------------------------------------------------------
 
-enum class Method { wcsph };
+enum class Method { wcsph, delta_sph };
 enum class KernelName { cubic_spline, wendland_c2 };
 struct Kernel {
   KernelName name = KernelName::cubic_spline;
@@ -107,6 +107,7 @@ struct Kernel {
 };
 enum class NegativePressure { clamp, keep };  // clamp: p < 0 becomes 0, as a free surface needs (erratum A3)
 enum class WallSlip { no_slip, free_slip };   // whether viscosity acts between fluid and walls
+enum class WallPressure { mirrored, extrapolated };
 enum class NeighbourSearch { index_sort, naive };
 
 struct FixedStep {
@@ -136,6 +137,8 @@ struct Solver {
   int exponent = 7;  // 7: Tait [Hinsch24 ch. 4.4]; 1: linear
   NegativePressure negative_pressure = NegativePressure::clamp;
   WallSlip wall_slip = WallSlip::no_slip;
+  WallPressure wall_pressure = WallPressure::mirrored;
+  double density_diffusion = 0.1;
   NeighbourSearch neighbour_search = NeighbourSearch::index_sort;
   TimeStep time_step;
 };

@@ -1,5 +1,4 @@
-// Lists for a second loop over the same places: a first loop, which has the distances at hand, leaves out the clusters that
-// lists hold for their skin alone.
+// Dynamic pruning of lists: a loop that has the distances at hand leaves later ones only the clusters within the support.
 #pragma once
 
 #include "simd/lanes.h"
@@ -7,11 +6,11 @@
 
 namespace weir::WEIR_INSTRUCTION_SET {
 
-class Narrowed {
+class Pruned {
  public:
-  // `out` has room for as much as is narrowed. Those clusters remain that are within the support radius (m), and perhaps
+  // `out` has room for as much as is pruned. Those clusters remain that are within the support radius (m), and perhaps
   // some that are hardly beyond.
-  WEIR_INLINE Narrowed(std::int32_t* out, float support_radius)
+  WEIR_INLINE Pruned(std::int32_t* out, float support_radius)
       : limit_(1.00001F * support_radius * support_radius), out_(out) {}
 
   WEIR_INLINE void append(std::int32_t number) { *out_++ = number; }
@@ -43,18 +42,8 @@ class Narrowed {
   std::int32_t* header_ = nullptr;
 };
 
-// Fills `near` with what `visit` leaves of `lists`.
-template <class Visit>
-WEIR_INLINE void narrow(const IntBuffer& lists, IntBuffer& near, float support_radius, const Visit& visit) {
-  near.set_size(0);
-  near.reserve_more(lists.size());
-  Narrowed narrowed(near.data(), support_radius);
-  visit(narrowed);
-  near.set_size(static_cast<std::size_t>(narrowed.end() - near.data()));
-}
-
-// The second loop leaves lists as they are.
-struct AsListed {
+// Of a loop that does not prune.
+struct Unpruned {
   static WEIR_INLINE void append(std::int32_t) {}
   static WEIR_INLINE void begin() {}
   static WEIR_INLINE void offer(std::int32_t, Lanes) {}
