@@ -204,9 +204,9 @@ TEST(Periodic, WallsBeyondTheDomainAreLeftOut) {
 }
 
 TEST(Periodic, WallParticlesOnTheSeamAreThereOnce) {
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < 30; ++i) {
     Scene scene = channel();
-    const double x = 1e3 * i / 7;  // rounding differs from one to the next
+    const double x = i / 7.0;  // rounding differs from one to the next
     scene.domain = Bounds{{x, 0, 0}, {x + 1, 1, 0}};
     scene.walls = {{Tank{{x - 0.55, 0, 0}, {x + 1.45, 1, 0}, {Side::left, Side::right}}, 2, {}}};
     EXPECT_EQ(sample(scene).wall_positions.size(), 40U) << x;
