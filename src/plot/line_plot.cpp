@@ -44,10 +44,10 @@ struct Range {
   double high = -std::numeric_limits<double>::infinity();
 };
 
-bool drawable(double value, const Axis& axis) { return std::isfinite(value) && (!axis.logarithmic || value > 0); }
+bool drawable(double value, const PlotAxis& axis) { return std::isfinite(value) && (!axis.logarithmic || value > 0); }
 
 // What the points span, a little wider by `padding` of it.
-Range range_of(const LinePlot& plot, std::vector<double> Series::*values, const Axis& axis, double padding) {
+Range range_of(const LinePlot& plot, std::vector<double> Series::*values, const PlotAxis& axis, double padding) {
   Range range;
   for (const Series& series : plot.series)
     for (const double value : series.*values)
@@ -68,7 +68,7 @@ Range range_of(const LinePlot& plot, std::vector<double> Series::*values, const 
   return {range.low - more, range.high + more};
 }
 
-std::vector<Tick> ticks_of(const Range& range, const Axis& axis, int most) {
+std::vector<Tick> ticks_of(const Range& range, const PlotAxis& axis, int most) {
   return axis.logarithmic ? logarithmic_ticks(range.low, range.high) : linear_ticks(range.low, range.high, most);
 }
 

@@ -10,7 +10,7 @@
 
 namespace weir {
 
-struct Axis {
+struct PlotAxis {
   std::string title;   // with its unit, as drawn: "time t in s"
   std::string column;  // of the CSV: "time[s]"
   bool logarithmic = false;
@@ -24,8 +24,8 @@ struct Series {
 
 struct LinePlot {
   std::string title;
-  Axis x;
-  Axis y;
+  PlotAxis x;
+  PlotAxis y;
   std::string legend;         // what the series differ in, as drawn: "stiffness k in Pa"
   std::string series_column;  // the same for the CSV: "stiffness[Pa]"
   std::vector<Series> series;

@@ -12,6 +12,8 @@ std::vector<Violation> check(const Scene& scene, const Unread& unread) {
   Checker checker(scene, unread);
   check_ranges(checker);
   check_geometry(checker);
+  check_periodic(checker);
+  check_solver(checker);
   check_meeting(checker);
   check_timeline(checker);
   check_pictures(checker);

@@ -6,8 +6,10 @@
 #include "scene/geometry.h"
 #include "scene/lattice.h"
 #include "scene/meeting.h"
+#include "scene/origin.h"
 #include "scene/paths.h"
 #include "scene/sampling.h"
+#include "scene/tank_sides.h"
 #include "scene/wall_extent.h"
 
 namespace weir {
@@ -24,28 +26,41 @@ struct Outline {
   bool solid_inside;
 };
 
-std::optional<Outline> outline(const Tank& tank) {
-  if (!tank.open.empty()) return std::nullopt;
-  return Outline{Box{tank.min, tank.max}, false};
+// A tank whose open sides are across periodic axes is closed all the same: its walls go on in its images.
+std::optional<Outline> outline(const Tank& tank, const Scene& scene) {
+  Box box{tank.min, tank.max};
+  std::size_t joined_sides = 0;
+  for (int axis = 0; axis < scene.dimension; ++axis) {
+    if (!is_periodic(scene, axis)) continue;
+    for (const Side side : tank_sides(axis, scene.dimension)) joined_sides += is_open(tank, side) ? 1 : 0;
+    box.min[axis] = periodic_extent(scene).min[axis];
+    box.max[axis] = periodic_extent(scene).max[axis];
+  }
+  if (joined_sides < tank.open.size()) return std::nullopt;
+  return Outline{box, false};
 }
-std::optional<Outline> outline(const Block& block) { return Outline{Box{block.min, block.max}, true}; }
-std::optional<Outline> outline(const Polyline& line) {
+std::optional<Outline> outline(const Block& block, const Scene&) { return Outline{Box{block.min, block.max}, true}; }
+std::optional<Outline> outline(const Polyline& line, const Scene&) {
   if (!line.closed) return std::nullopt;
   const bool counterclockwise = signed_area(line.points) > 0;  // then the inside is on the left
   return Outline{Polygon{line.points}, counterclockwise == (line.solid == Flank::left)};
 }
-std::optional<Outline> outline(const Round& round) {
+std::optional<Outline> outline(const Round& round, const Scene&) {
   return Outline{Ball{round.center, round.radius}, round.solid == Face::inside};
 }
 
-std::optional<Outline> outline(const Wall& wall) {
-  return std::visit([](const auto& shape) { return outline(shape); }, wall.shape);
+std::optional<Outline> outline(const Wall& wall, const Scene& scene) {
+  return std::visit([&](const auto& shape) { return outline(shape, scene); }, wall.shape);
 }
 
 class Meeting {
  public:
   explicit Meeting(Checker& checker)
-      : checker_(checker), scene_(checker.scene), dimension_(scene_.dimension), dx_(scene_.particle_spacing) {}
+      : checker_(checker),
+        origin_(scene_origin(checker.scene)),
+        scene_(relative_to(checker.scene, origin_)),
+        dimension_(scene_.dimension),
+        dx_(scene_.particle_spacing) {}
 
   void judge() {
     for (std::size_t i = 0; i < scene_.fluid.volumes.size(); ++i) {
@@ -78,7 +93,7 @@ class Meeting {
       return;
     }
     const Wall& wall = scene_.walls[index];
-    const std::optional<Outline> closed = outline(wall);
+    const std::optional<Outline> closed = outline(wall, scene_);
     if (closed && !closed->solid_inside && wall.holes.empty()) containers_.push_back(widened(closed->shape));
 
     const std::vector<Fluid*> doubtful = fluid_near(wall);
@@ -144,7 +159,7 @@ class Meeting {
     if (outside.count == 0) return;
     checker_.add(volume_path(scene_, fluid.index),
                  fmt::format("lies outside the closed walls: {} of {} particles, such as at {}", outside.count,
-                             fluid.lattice.count(), point_text(outside.first, dimension_)));
+                             fluid.lattice.count(), point_text(outside.first + origin_, dimension_)));
   }
 
   // The last particle of a rounded box may lie on the face itself.
@@ -154,7 +169,8 @@ class Meeting {
   }
 
   Checker& checker_;
-  const Scene& scene_;
+  Vec3 origin_;
+  Scene scene_;  // as it is sampled
   int dimension_;
   double dx_;
   std::vector<Fluid> fluid_;

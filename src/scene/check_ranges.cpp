@@ -57,6 +57,10 @@ class RangeVisitor {
   void toggle(std::string_view key, std::optional<T>& value, std::string_view) {
     if (value) visit_form(joined(path_, key), *value);
   }
+  template <class T>
+  void option(std::string_view key, std::optional<T>& value, std::string_view) {
+    if (value) visit_form(joined(path_, key), *value);
+  }
   void version(std::string_view, int) {}
   void not_built(std::string_view, EmptyForm, std::string_view) {}
 

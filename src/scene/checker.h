@@ -46,6 +46,8 @@ inline std::string point_text(const Vec3& point, int dimension) {
 
 void check_ranges(Checker& checker);    // each field by itself, by the field table
 void check_geometry(Checker& checker);  // volumes and walls, each by itself and their number
+void check_periodic(Checker& checker);  // periodic axes and the domain
+void check_solver(Checker& checker);    // the solver's settings against walls
 void check_meeting(Checker& checker);   // volumes and walls against each other
 void check_timeline(Checker& checker);
 void check_pictures(Checker& checker);  // camera, render, output

@@ -53,6 +53,11 @@ std::int64_t count_merged_walls(const Scene& scene) {
 
 ParticleCount count_particles(const Scene& scene) {
   ParticleCount count;
+  if (!scene.periodic.empty()) {  // which of the walls' particles are left out
+    const Sampling sampling = sample(scene);
+    return {static_cast<std::int64_t>(sampling.fluid_positions.size()),
+            static_cast<std::int64_t>(sampling.wall_positions.size())};
+  }
   for (const Volume& volume : scene.fluid.volumes) {
     count.fluid += Lattice(volume.shape, scene.dimension, scene.particle_spacing).count();
   }

@@ -10,6 +10,7 @@
 //   forms(key, variant, meaning, ...)  a value that is a Word, or a Map of one kind or another
 //   by_dimension(variant, Map...)      keys that depend on the dimension, beside the others
 //   toggle(key, optional, meaning)     true, false or a map
+//   option(key, optional, meaning)     a map that may be left out
 //   version(key, number)               the format version
 //   not_built(key, empty, meaning)     a reserved key, of which only the empty form is accepted
 #pragma once
@@ -125,6 +126,13 @@ void describe(V& v, Shape& shape) {
 // ---- fluid --------------------------------------------------------------------------------------------------------
 
 template <class V>
+void describe(V& v, TaylorGreen& flow) {
+  v.field("speed", flow.speed, Spec{.meaning = "largest speed U", .unit = "m/s", .required = true});
+  v.field("wave_length", flow.wave_length,
+          Spec{.meaning = "wave length L", .unit = "m", .range = positive, .required = true});
+}
+
+template <class V>
 void describe(V& v, Volume& volume) {
   describe_shape(v, volume.shape, [](auto&) {});
   v.field("velocity", volume.velocity, Spec{.meaning = "velocity at the start", .unit = "m/s"});
@@ -132,6 +140,16 @@ void describe(V& v, Volume& volume) {
           Spec{.meaning = "rotation about the shape's centre at the start, added to the velocity; a number in 2D, a "
                           "vector in 3D",
                .unit = "rad/s"});
+  v.group("flow", "velocity field at the start, added to the velocity", [&](auto& sub) {
+    sub.option("taylor_green", volume.flow.taylor_green,
+               "u = -U cos(2 pi x / L) sin(2 pi y / L), v = U sin(2 pi x / L) cos(2 pi y / L)");
+  });
+  v.field(
+      "perturbation", volume.perturbation,
+      Spec{.meaning = "each particle is moved at the start by up to so many spacings along each axis, at random but "
+                      "the same in every run",
+           .unit = "1",
+           .range = {0, 0.3}});
 }
 
 template <class V>
@@ -198,7 +216,12 @@ void describe(V& v, Wall& wall) {
         "layers", OrWord<int>{wall.layers, 0, "auto"},
         Spec{.meaning = "layers of wall particles; auto: as many as fill the kernel's support", .range = {1, 100}});
     sub.list("holes", wall.holes, Spec{.meaning = "shapes, as in fluid.volumes, where this wall is left out"});
-    sub.not_built("motion", EmptyForm::none, "moving walls");
+    sub.group("motion", "how the wall moves", [&](auto& motion) {
+      motion.field("slide", wall.slide,
+                   Spec{.meaning = "velocity with which the surface slides along itself, as a lid or a belt does; "
+                                   "positions stay",
+                        .unit = "m/s"});
+    });
   };
   v.one_of(wall.shape, common, Named<Tank>{"tank", "a container: layers grow outwards from its faces"},
            Named<Block>{"box", "a solid box: layers grow inwards from its faces"},
@@ -209,6 +232,12 @@ void describe(V& v, Wall& wall) {
 }
 
 // ---- solver -------------------------------------------------------------------------------------------------------
+
+template <class V>
+void describe(V& v, Bounds& box) {
+  v.field("min", box.min, Spec{.meaning = "lower corner", .unit = "m", .required = true});
+  v.field("max", box.max, Spec{.meaning = "upper corner", .unit = "m", .required = true});
+}
 
 template <class V>
 void describe(V& v, Kernel& kernel) {
@@ -248,6 +277,8 @@ void describe(V& v, FixedStep& step) {
 template <class V>
 void describe(V& v, Solver& solver) {
   v.field("method", solver.method, Spec{.meaning = "pressure solver"});
+  v.field("density_diffusion", solver.density_diffusion,
+          Spec{.meaning = "delta_sph: strength delta of the density diffusion", .unit = "1", .range = not_negative});
   v.group("kernel", "smoothing kernel", [&](auto& sub) { describe(sub, solver.kernel); });
   v.one_field_of(
       solver.compressibility,
@@ -263,6 +294,9 @@ void describe(V& v, Solver& solver) {
   v.field("negative_pressure", solver.negative_pressure,
           Spec{.meaning = "clamp: tension becomes zero pressure, as a free surface needs"});
   v.field("wall_slip", solver.wall_slip, Spec{.meaning = "whether walls exert viscous force: no_slip they do"});
+  v.field("wall_pressure", solver.wall_pressure,
+          Spec{.meaning = "pressure of wall particles. mirrored: that of the fluid particle itself; extrapolated: from "
+                          "the fluid around them"});
   v.field("neighbour_search", solver.neighbour_search,
           Spec{.meaning = "how neighbours are found; naive compares all pairs"});
   v.forms("time_step", solver.time_step, "limits of an adaptive time step, or {fixed: dt}", Map<AdaptiveStep>{},
@@ -392,7 +426,11 @@ void describe(V& v, Scene& scene) {
   });
   v.group("fluid", "the fluid", [&](auto& sub) { describe(sub, scene.fluid); });
   v.list("walls", scene.walls, Spec{.meaning = "what the fluid cannot cross"});
-  v.not_built("periodic", EmptyForm::list, "periodic boundaries");
+  v.field("periodic", scene.periodic,
+          Spec{.meaning = "axes along which what leaves the domain at one end enters it at the other"});
+  v.option("domain", scene.domain,
+           "extent along periodic axes, a whole number of spacings; by default what fluid volumes and walls span, "
+           "without the walls' layers");
   v.not_built("bodies", EmptyForm::list, "rigid bodies");
   v.group("solver", "the method", [&](auto& sub) { describe(sub, scene.solver); });
   v.list("timeline", scene.timeline, Spec{.meaning = "what changes during the run"});

@@ -5,6 +5,7 @@
 #include "scene/check.h"
 #include "scene/geometry.h"
 #include "scene/memory.h"
+#include "scene/origin.h"
 #include "scene/sampling.h"
 
 namespace weir {
@@ -31,7 +32,7 @@ double time_step(const Scene& scene) {
 }  // namespace
 
 Estimate estimate(const Scene& scene) {
-  const ParticleCount count = count_particles(scene);
+  const ParticleCount count = count_particles(relative_to(scene, scene_origin(scene)));
   Estimate result;
   result.fluid_particles = count.fluid;
   result.wall_particles = count.wall;

@@ -151,6 +151,17 @@ class MapReader {
     }
   }
 
+  template <class T>
+  void option(std::string_view key, std::optional<T>& value, std::string_view) {
+    const Node* node = find(key);
+    if (node == nullptr) return;
+    T read{};
+    MapReader sub(mistakes_, *node, joined(path_, key), dimension_);
+    describe(sub, read);
+    sub.finish();
+    value = read;
+  }
+
   void version(std::string_view key, int number);
   void not_built(std::string_view key, EmptyForm empty, std::string_view meaning);
 

@@ -46,6 +46,11 @@ struct Names<Side> {
   static constexpr Later<0> later{};
 };
 template <>
+struct Names<Axis> {
+  static constexpr std::array<Name<Axis>, 3> built{{{Axis::x, "x"}, {Axis::y, "y"}, {Axis::z, "z"}}};
+  static constexpr Later<0> later{};
+};
+template <>
 struct Names<Flank> {
   static constexpr std::array<Name<Flank>, 2> built{{{Flank::left, "left"}, {Flank::right, "right"}}};
   static constexpr Later<0> later{};
@@ -57,7 +62,7 @@ struct Names<Face> {
 };
 template <>
 struct Names<Method> {
-  static constexpr std::array<Name<Method>, 1> built{{{Method::wcsph, "wcsph"}}};
+  static constexpr std::array<Name<Method>, 2> built{{{Method::wcsph, "wcsph"}, {Method::delta_sph, "delta_sph"}}};
   static constexpr Later<3> later{"iisph", "dfsph", "pcisph"};
 };
 template <>
@@ -76,6 +81,12 @@ template <>
 struct Names<WallSlip> {
   static constexpr std::array<Name<WallSlip>, 2> built{
       {{WallSlip::no_slip, "no_slip"}, {WallSlip::free_slip, "free_slip"}}};
+  static constexpr Later<0> later{};
+};
+template <>
+struct Names<WallPressure> {
+  static constexpr std::array<Name<WallPressure>, 2> built{
+      {{WallPressure::mirrored, "mirrored"}, {WallPressure::extrapolated, "extrapolated"}}};
   static constexpr Later<0> later{};
 };
 template <>

@@ -6,6 +6,7 @@
 #include "scene/geometry.h"
 #include "scene/sample_polyline.h"
 #include "scene/sampling.h"
+#include "scene/tank_sides.h"
 
 namespace weir {
 
@@ -14,13 +15,13 @@ namespace {
 std::int64_t cells(double length, double dx) { return std::max<std::int64_t>(1, std::llround(length / dx)); }
 
 // Centres along one axis, and for each how many layers deep it lies behind the nearer face: 0 is the first layer.
-struct Axis {
+struct GridAxis {
   std::vector<double> centers;
   std::vector<std::int64_t> depths;
 };
 
 // A face's cells are stretched a little, so that both ends of it are met exactly.
-void add_even(Axis& axis, double from, double to, std::int64_t n, std::int64_t depth) {
+void add_even(GridAxis& axis, double from, double to, std::int64_t n, std::int64_t depth) {
   for (std::int64_t i = 0; i < n; ++i) {
     axis.centers.push_back(from + (static_cast<double>(i) + 0.5) * (to - from) / static_cast<double>(n));
     axis.depths.push_back(depth);
@@ -28,8 +29,8 @@ void add_even(Axis& axis, double from, double to, std::int64_t n, std::int64_t d
 }
 
 // Outwards: the inside has depth -1.
-Axis tank_axis(double min, double max, double dx, int layers, bool low_open, bool high_open) {
-  Axis axis;
+GridAxis tank_axis(double min, double max, double dx, int layers, bool low_open, bool high_open) {
+  GridAxis axis;
   for (std::int64_t k = low_open ? 0 : layers; k-- > 0;) {
     axis.centers.push_back(min - (static_cast<double>(k) + 0.5) * dx);
     axis.depths.push_back(k);
@@ -43,9 +44,9 @@ Axis tank_axis(double min, double max, double dx, int layers, bool low_open, boo
 }
 
 // Inwards: the layers are exact, the inside is stretched; a thin block is stretched as a whole.
-Axis block_axis(double min, double max, double dx, int layers) {
+GridAxis block_axis(double min, double max, double dx, int layers) {
   const double thick = static_cast<double>(layers) * dx;
-  Axis axis;
+  GridAxis axis;
   if (max - min < 2 * thick + dx) {
     const std::int64_t n = cells(max - min, dx);
     add_even(axis, min, max, n, 0);
@@ -66,14 +67,14 @@ Axis block_axis(double min, double max, double dx, int layers) {
 
 // A grid of centres, and how deep a particle of the wall lies along at least one axis.
 struct Grid {
-  std::array<Axis, 3> axes;
+  std::array<GridAxis, 3> axes;
   std::int64_t first_depth;
   std::int64_t last_depth;
   bool in_wall(std::int64_t depth) const { return first_depth <= depth && depth <= last_depth; }
 };
 
-void clip(Axis& axis, double min, double max) {
-  Axis kept;
+void clip(GridAxis& axis, double min, double max) {
+  GridAxis kept;
   for (std::size_t i = 0; i < axis.centers.size(); ++i) {
     if (axis.centers[i] < min || axis.centers[i] > max) continue;
     kept.centers.push_back(axis.centers[i]);
@@ -108,33 +109,25 @@ void visit_grid(Grid grid, const Bounds& region, const VisitPoint& visit) {
 std::int64_t count_grid(const Grid& grid) {
   std::int64_t all = 1;
   std::int64_t core = 1;
-  for (const Axis& axis : grid.axes) {
+  for (const GridAxis& axis : grid.axes) {
     all *= static_cast<std::int64_t>(axis.depths.size());
     core *= std::count_if(axis.depths.begin(), axis.depths.end(), [&](auto depth) { return !grid.in_wall(depth); });
   }
   return all - core;
 }
 
-// The sides at the low and the high end of an axis.
-std::array<Side, 2> sides(int axis, int dimension) {
-  if (axis == 0) return {Side::left, Side::right};
-  if (axis == dimension - 1) return {Side::bottom, Side::top};
-  return {Side::front, Side::back};
-}
-
 Grid grid_of(const Tank& tank, int dimension, double dx, int layers) {
-  Grid grid{{Axis{{0}, {-1}}, Axis{{0}, {-1}}, Axis{{0}, {-1}}}, 0, layers};
+  Grid grid{{GridAxis{{0}, {-1}}, GridAxis{{0}, {-1}}, GridAxis{{0}, {-1}}}, 0, layers};
   for (int axis = 0; axis < dimension; ++axis) {
-    const auto [low, high] = sides(axis, dimension);
-    const auto open = [&](Side side) { return std::find(tank.open.begin(), tank.open.end(), side) != tank.open.end(); };
+    const auto [low, high] = tank_sides(axis, dimension);
     grid.axes[static_cast<std::size_t>(axis)] =
-        tank_axis(tank.min[axis], tank.max[axis], dx, layers, open(low), open(high));
+        tank_axis(tank.min[axis], tank.max[axis], dx, layers, is_open(tank, low), is_open(tank, high));
   }
   return grid;
 }
 
 Grid grid_of(const Block& block, int dimension, double dx, int layers) {
-  Grid grid{{Axis{{0}, {layers}}, Axis{{0}, {layers}}, Axis{{0}, {layers}}}, 0, layers - 1};
+  Grid grid{{GridAxis{{0}, {layers}}, GridAxis{{0}, {layers}}, GridAxis{{0}, {layers}}}, 0, layers - 1};
   for (int axis = 0; axis < dimension; ++axis) {
     grid.axes[static_cast<std::size_t>(axis)] = block_axis(block.min[axis], block.max[axis], dx, layers);
   }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
+#include "equations/initial_flow.h"
 #include "scene/geometry.h"
 #include "scene/lattice.h"
 #include "scene/point_grid.h"
@@ -24,6 +26,68 @@ Vec3 turning_center(const Shape& shape, int dimension, double dx) {
   return center;
 }
 
+// Moves particles by up to some length along each axis: as random numbers are the generator's own bits, the same on
+// every machine.
+class Perturbation {
+ public:
+  Perturbation(std::uint32_t seed, double length, int dimension)
+      : random_(seed), length_(length), dimension_(dimension) {}
+  Vec3 next() {
+    Vec3 move(0);
+    if (length_ == 0) return move;
+    for (int axis = 0; axis < dimension_; ++axis) {
+      const double unit = (static_cast<double>(random_()) + 0.5) / 2147483648.0 - 1;  // -1 .. 1
+      move[axis] = length_ * unit;
+    }
+    return move;
+  }
+
+ private:
+  std::mt19937 random_;
+  double length_;
+  int dimension_;
+};
+
+// The domain along periodic axes. A position is within [min, max); rounding, of either end, must neither lose a particle
+// nor count its image.
+class Period {
+ public:
+  explicit Period(const Scene& scene)
+      : extent_(periodic_extent(scene)), slack_(1e-6 * scene.particle_spacing), dimension_(scene.dimension) {
+    for (int axis = 0; axis < 3; ++axis) periodic_[static_cast<std::size_t>(axis)] = is_periodic(scene, axis);
+  }
+  bool holds(const Vec3& point) const {
+    for (int axis = 0; axis < dimension_; ++axis) {
+      if (!periodic_[static_cast<std::size_t>(axis)]) continue;
+      if (point[axis] < extent_.min[axis] - slack_ || point[axis] >= extent_.max[axis] - slack_) return false;
+    }
+    return true;
+  }
+  Vec3 wrapped(Vec3 point) const {
+    for (int axis = 0; axis < dimension_; ++axis) {
+      if (!periodic_[static_cast<std::size_t>(axis)]) continue;
+      const double length = extent_.max[axis] - extent_.min[axis];
+      if (point[axis] < extent_.min[axis]) point[axis] += length;
+      if (point[axis] >= extent_.max[axis]) point[axis] = std::max(extent_.min[axis], point[axis] - length);
+    }
+    return point;
+  }
+
+ private:
+  Bounds extent_;
+  double slack_;
+  int dimension_;
+  std::array<bool, 3> periodic_{};
+};
+
+Vec3 initial_velocity(const Volume& volume, const Vec3& point, const Vec3& center) {
+  Vec3 velocity = volume.velocity + glm::cross(volume.angular_velocity, point - center);
+  if (const auto& flow = volume.flow.taylor_green) {
+    velocity += taylor_green_velocity(flow->speed, flow->wave_length, point - flow->phase_origin);
+  }
+  return velocity;
+}
+
 }  // namespace
 
 std::vector<Vec3> sample_volume(const Shape& shape, int dimension, double dx) {
@@ -41,17 +105,21 @@ Sampling sample(const Scene& scene) {
   for (const Volume& volume : scene.fluid.volumes) count += Lattice(volume.shape, scene.dimension, dx).count();
   sampling.fluid_positions.reserve(static_cast<std::size_t>(count));
   sampling.fluid_velocities.reserve(static_cast<std::size_t>(count));
-  for (const Volume& volume : scene.fluid.volumes) {
+  const Period period(scene);
+  for (std::size_t i = 0; i < scene.fluid.volumes.size(); ++i) {
+    const Volume& volume = scene.fluid.volumes[i];
     const Vec3 center = turning_center(volume.shape, scene.dimension, dx);
-    Lattice(volume.shape, scene.dimension, dx).for_each([&](const Vec3& point) {
-      sampling.fluid_positions.push_back(point);
-      sampling.fluid_velocities.push_back(volume.velocity + glm::cross(volume.angular_velocity, point - center));
+    Perturbation perturbation(static_cast<std::uint32_t>(i), volume.perturbation * dx, scene.dimension);
+    Lattice(volume.shape, scene.dimension, dx).for_each([&](const Vec3& node) {
+      const Vec3 point = node + perturbation.next();
+      sampling.fluid_positions.push_back(period.wrapped(point));
+      sampling.fluid_velocities.push_back(initial_velocity(volume, point, center));
     });
   }
   PointGrid kept(wall_merge_distance * dx);
   for (const Wall& wall : scene.walls) {
     for (const Vec3& point : sample_wall(wall, scene.dimension, dx, wall_layers(scene, wall))) {
-      if (kept.any_near(point, wall_merge_distance * dx)) continue;
+      if (!period.holds(point) || kept.any_near(point, wall_merge_distance * dx)) continue;
       kept.add(point, 0);
       sampling.wall_positions.push_back(point);
     }

@@ -9,15 +9,11 @@
 #include "equations/kernels.h"
 #include "equations/state.h"
 #include "scene/geometry.h"
+#include "scene/span.h"
 
 namespace weir {
 
 namespace {
-
-Bounds extent(const Tank& tank) { return {tank.min, tank.max}; }
-Bounds extent(const Block& block) { return {block.min, block.max}; }
-Bounds extent(const Polyline& line) { return shape_bounds(Polygon{line.points}, 2); }
-Bounds extent(const Round& round) { return {round.center - round.radius, round.center + round.radius}; }
 
 // Least and largest coordinate of a box along a direction.
 struct Span {
@@ -43,9 +39,7 @@ double fall(const Scene& scene, const Vec3& gravity, double first_speed) {
   Span walls;
   for (const Volume& volume : scene.fluid.volumes)
     cover(fluid, shape_bounds(volume.shape, scene.dimension), gravity / g);
-  for (const Wall& wall : scene.walls) {
-    cover(walls, std::visit([](const auto& each) { return extent(each); }, wall.shape), gravity / g);
-  }
+  for (const Wall& wall : scene.walls) cover(walls, wall_span(wall.shape, scene.dimension), gravity / g);
   const double free_speed = first_speed + g * scene.duration;
   const double free = free_speed * free_speed - first_speed * first_speed;
   const double height = std::max(walls.high, fluid.high) - fluid.low;
@@ -58,8 +52,10 @@ double initial_speed(const Scene& scene) {
   for (const Volume& volume : scene.fluid.volumes) {
     const Bounds box = shape_bounds(volume.shape, scene.dimension);
     const double reach = 0.5 * glm::length(box.max - box.min);
-    speed = std::max(speed, glm::length(volume.velocity) + glm::length(volume.angular_velocity) * reach);
+    const double vortices = volume.flow.taylor_green ? std::abs(volume.flow.taylor_green->speed) : 0;
+    speed = std::max(speed, glm::length(volume.velocity) + glm::length(volume.angular_velocity) * reach + vortices);
   }
+  for (const Wall& wall : scene.walls) speed = std::max(speed, glm::length(wall.slide));
   return speed;
 }
 

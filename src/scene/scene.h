@@ -32,10 +32,21 @@ using Shape = std::variant<Box, Ball, Polygon>;
 
 // ---- fluid --------------------------------------------------------------------------------------------------------
 
+struct TaylorGreen {       // decaying vortices, periodic along x and y
+  double speed = 0;        // m/s, the largest
+  double wave_length = 0;  // m
+  Vec3 phase_origin{0};    // m, where the phase is zero; not in files: relative_to() keeps the phase by it
+};
+struct Flow {  // named velocity fields
+  std::optional<TaylorGreen> taylor_green{};
+};
+
 struct Volume {
   Shape shape;
   Vec3 velocity{0};          // m/s at the start
   Vec3 angular_velocity{0};  // rad/s about the shape's centre at the start; 2D: z alone
+  Flow flow{};               // added to these
+  double perturbation = 0;   // dx; each particle is moved by up to this along each axis
 };
 
 enum class ViscosityModel { none, morris, monaghan, hinsch2024 };
@@ -95,7 +106,12 @@ struct Wall {
   WallShape shape;
   int layers = 0;            // 0: as many as fill the support, ceil(support_radius / dx)
   std::vector<Shape> holes;  // regions where this wall is left out
+  Vec3 slide{0};             // m/s; the surface slides along itself (a lid, a belt), positions stay
 };
+
+// ---- domain -------------------------------------------------------------------------------------------------------
+
+enum class Axis { x, y, z };
 
 // ---- solver -------------------------------------------------------------------------------------------------------
 
@@ -107,7 +123,10 @@ struct Kernel {
 };
 enum class NegativePressure { clamp, keep };  // clamp: p < 0 becomes 0, as a free surface needs (erratum A3)
 enum class WallSlip { no_slip, free_slip };   // whether viscosity acts between fluid and walls
-enum class WallPressure { mirrored, extrapolated };
+enum class WallPressure {
+  mirrored,
+  extrapolated
+};  // of wall particles: the fluid particle's own, or from the fluid around
 enum class NeighbourSearch { index_sort, naive };
 
 struct FixedStep {
@@ -132,13 +151,13 @@ using Compressibility = std::variant<Stiffness, SoundSpeed>;
 
 struct Solver {
   Method method = Method::wcsph;
+  double density_diffusion = 0.1;  // strength delta of the density diffusion of delta_sph
   Kernel kernel;
   Compressibility compressibility;
   int exponent = 7;  // 7: Tait [Hinsch24 ch. 4.4]; 1: linear
   NegativePressure negative_pressure = NegativePressure::clamp;
   WallSlip wall_slip = WallSlip::no_slip;
   WallPressure wall_pressure = WallPressure::mirrored;
-  double density_diffusion = 0.1;
   NeighbourSearch neighbour_search = NeighbourSearch::index_sort;
   TimeStep time_step;
 };
@@ -230,6 +249,8 @@ struct Scene {
   double particle_spacing = 0;  // dx, m
   Fluid fluid;
   std::vector<Wall> walls;
+  std::vector<Axis> periodic;    // what leaves at one end enters at the other
+  std::optional<Bounds> domain;  // m; along periodic axes, else without meaning
   Solver solver;
   std::vector<TimelineEvent> timeline;
   Camera camera;
@@ -248,5 +269,9 @@ double stiffness(const Scene& scene);                   // k, Pa
 double sound_speed(const Scene& scene);                 // c0 = sqrt(exponent k / rho0), m/s
 double max_speed_estimate(const Scene& scene);  // m/s, from initial speeds, gravity and the height it can act over
 bool draws(const Scene& scene);                 // whether any picture is asked for
+bool is_periodic(const Scene& scene, int axis);
+// The period, m: the domain's extent if it is given, else that of fluid volumes and walls' shapes without their layers.
+// Has a meaning along periodic axes only.
+Bounds periodic_extent(const Scene& scene);
 
 }  // namespace weir

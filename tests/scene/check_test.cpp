@@ -201,6 +201,39 @@ TEST(Check, RefusesMoreParticlesThanFit) {
               ElementsAre(HasSubstr("more than can be counted")));
 }
 
+TEST(Check, RefusesCoordinatesThatADoubleDoesNotResolve) {
+  // 1e-6 2^52 spacings of 0.1 m are 4.5036e8 m.
+  const auto at = [](double x) { return said_of_shape(Box{{x, 0, 0}, {x + 1, 1, 0}}); };
+  EXPECT_THAT(at(4.5e8), IsEmpty());
+  EXPECT_THAT(at(-4.6e8), ElementsAre("fluid.volumes.0.box reaches 4.6e+08 m from the origin; at a spacing of 0.1 m, "
+                                      "positions are exact to a millionth of it only up to 4.5e+08 m"));
+}
+
+TEST(Check, RefusesSpansOfMoreTilesThanTheSolverCounts) {
+  Scene scene = scene_in(2);
+  const auto apart_by = [&](double x) {
+    scene.fluid.volumes = {{Box{{0, 0, 0}, {1, 1, 0}}, Vec3(0), Vec3(0)},
+                           {Box{{x, 0, 0}, {x + 1, 1, 0}}, Vec3(0), Vec3(0)}};
+    return said(scene);
+  };
+  EXPECT_THAT(apart_by(1.6e6), IsEmpty());
+  EXPECT_THAT(apart_by(1.7e6),
+              ElementsAre("particles.spacing of 0.1 m: fluid and walls span 1.7e+06 m along x, more than 16777216 "
+                          "spacings; choose at least 0.11 m"));
+}
+
+TEST(Check, WallsSlideOnlyWhereFrictionReachesThem) {
+  Scene scene = scene_in(2);
+  scene.walls = {{Tank{{0, 0, 0}, {3, 2, 0}, {Side::top}}, 2, {}, {1, 0, 0}}};
+  scene.solver.wall_slip = WallSlip::free_slip;
+  EXPECT_THAT(said(scene),
+              ElementsAre("walls.0.tank.motion.slide needs solver.wall_slip: no_slip; it is free_slip",
+                          "walls.0.tank.motion.slide needs solver.wall_pressure: extrapolated; it is mirrored"));
+  scene.solver.wall_slip = WallSlip::no_slip;
+  scene.solver.wall_pressure = WallPressure::extrapolated;
+  EXPECT_THAT(said(scene), IsEmpty());
+}
+
 TEST(Check, SamplesThinShapesOfAnyLengthInTime) {
   // A sliver with a bounding box of 1e10 cells, and a block of 1e8 of which only the skin is wall.
   EXPECT_THAT(said_of_shape(Polygon{{{0, 0, 0}, {1e4, 1e4, 0}, {1e4, 1e4 + 0.5, 0}}}), IsEmpty());
@@ -320,6 +353,10 @@ TEST(Scene, EstimatesTheTopSpeedByFalling) {
   EXPECT_DOUBLE_EQ(max_speed_estimate(scene), 5 + 9.81 * 2);
   scene.gravity = Vec3(0);
   EXPECT_DOUBLE_EQ(max_speed_estimate(scene), 5);
+  scene.fluid.volumes[0].flow.taylor_green = TaylorGreen{2, 1};
+  EXPECT_DOUBLE_EQ(max_speed_estimate(scene), 7);
+  scene.walls = {{Block{{2, 0, 0}, {3, 1, 0}}, 0, {}, {0, 8, 0}}};
+  EXPECT_DOUBLE_EQ(max_speed_estimate(scene), 8);
 }
 
 TEST(Estimate, CountsWhatIsSampled) {

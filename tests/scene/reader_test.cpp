@@ -272,21 +272,23 @@ TEST(Reader, RefusesTwoOfWhatExcludesEachOther) {
 }
 
 TEST(Reader, RefusesByNameWhatIsNotBuilt) {
-  EXPECT_THAT(with_line("periodic: [x]"),
-              ElementsAre("s.yaml:6:1: periodic is not built yet (periodic boundaries); leave it out"));
   EXPECT_THAT(with_line("bodies: [{}]"),
               ElementsAre("s.yaml:6:1: bodies is not built yet (rigid bodies); leave it out"));
   EXPECT_THAT(with_line("probes: [{}]"), ElementsAre("s.yaml:6:1: probes is not built yet (probes); leave it out"));
   EXPECT_THAT(with_line("output: {particles: true, checkpoint: {every: 60}}"),
               ElementsAre("s.yaml:6:10: output.particles is not built yet (particle files); leave it out",
                           "s.yaml:6:27: output.checkpoint is not built yet (checkpoints); leave it out"));
-  EXPECT_THAT(with_line("walls: [{tank: {min: [0, 0], max: [1, 1], motion: {}}}]"),
-              ElementsAre("s.yaml:6:43: walls.0.tank.motion is not built yet (moving walls); leave it out"));
+  EXPECT_THAT(with_line("walls: [{tank: {min: [0, 0], max: [1, 1], motion: {turn: 1}}}]"),
+              ElementsAre("s.yaml:6:52: unknown key 'walls.0.tank.motion.turn'"));
+  EXPECT_THAT(
+      with_line("domain: {min: [0, 0], max: [1, 1]}"),
+      ElementsAre("s.yaml:6:1: domain without periodic axes is not built yet; name axes in `periodic`, or leave "
+                  "it out"));
   EXPECT_THAT(with_line("walls: [{plane: {}}]"),
               ElementsAre("s.yaml:6:9: walls.0 needs one of the keys tank, box, polyline, disc",
                           "s.yaml:6:10: walls.0.plane is not built yet (a wall without particles); leave it out"));
   EXPECT_THAT(with_line("solver: {method: iisph}"),
-              ElementsAre("s.yaml:6:10: solver.method 'iisph' is not built yet; choose from wcsph"));
+              ElementsAre("s.yaml:6:10: solver.method 'iisph' is not built yet; choose from wcsph, delta_sph"));
   EXPECT_THAT(with_line("periodic: []\nbodies: []\nprobes: []\noutput: {particles: false, checkpoint: false}"),
               IsEmpty());
 }

@@ -1,0 +1,11 @@
+// The box around all that a scene consists of.
+#pragma once
+
+#include "scene/scene.h"
+
+namespace weir {
+
+Bounds wall_span(const WallShape& shape, int dimension);  // without layers
+Bounds scene_span(const Scene& scene);  // fluid volumes and walls without layers; empty_bounds where there is neither
+
+}  // namespace weir
