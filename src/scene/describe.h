@@ -297,8 +297,6 @@ void describe(V& v, Solver& solver) {
   v.field("wall_pressure", solver.wall_pressure,
           Spec{.meaning = "pressure of wall particles. mirrored: that of the fluid particle itself; extrapolated: from "
                           "the fluid around them"});
-  v.field("neighbour_search", solver.neighbour_search,
-          Spec{.meaning = "how neighbours are found; naive compares all pairs"});
   v.forms("time_step", solver.time_step, "limits of an adaptive time step, or {fixed: dt}", Map<AdaptiveStep>{},
           Map<FixedStep>{});
 }

@@ -90,12 +90,6 @@ struct Names<WallPressure> {
   static constexpr Later<0> later{};
 };
 template <>
-struct Names<NeighbourSearch> {
-  static constexpr std::array<Name<NeighbourSearch>, 2> built{
-      {{NeighbourSearch::index_sort, "index_sort"}, {NeighbourSearch::naive, "naive"}}};
-  static constexpr Later<0> later{};
-};
-template <>
 struct Names<ColorBy> {
   static constexpr std::array<Name<ColorBy>, 3> built{
       {{ColorBy::speed, "speed"}, {ColorBy::density, "density"}, {ColorBy::pressure, "pressure"}}};

@@ -116,12 +116,15 @@ Sampling sample(const Scene& scene) {
       sampling.fluid_velocities.push_back(initial_velocity(volume, point, center));
     });
   }
+  const bool slides =
+      std::any_of(scene.walls.begin(), scene.walls.end(), [](const Wall& wall) { return wall.slide != Vec3(0); });
   PointGrid kept(wall_merge_distance * dx);
   for (const Wall& wall : scene.walls) {
     for (const Vec3& point : sample_wall(wall, scene.dimension, dx, wall_layers(scene, wall))) {
       if (!period.holds(point) || kept.any_near(point, wall_merge_distance * dx)) continue;
       kept.add(point, 0);
       sampling.wall_positions.push_back(point);
+      if (slides) sampling.wall_slides.push_back(wall.slide);
     }
   }
   return sampling;

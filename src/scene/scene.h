@@ -127,7 +127,6 @@ enum class WallPressure {
   mirrored,
   extrapolated
 };  // of wall particles: the fluid particle's own, or from the fluid around
-enum class NeighbourSearch { index_sort, naive };
 
 struct FixedStep {
   double dt = 0;  // s, an upper bound: steps land on frame times, the interval before is divided evenly
@@ -158,7 +157,6 @@ struct Solver {
   NegativePressure negative_pressure = NegativePressure::clamp;
   WallSlip wall_slip = WallSlip::no_slip;
   WallPressure wall_pressure = WallPressure::mirrored;
-  NeighbourSearch neighbour_search = NeighbourSearch::index_sort;
   TimeStep time_step;
 };
 

@@ -43,6 +43,15 @@ struct Positions {
     return at;
   }
 
+  // m; went on where it left the domain.
+  Vec<Dim, double> unwrapped_position(std::size_t slot, const Vec<Dim, double>& period) const {
+    Vec<Dim, double> at = position(slot);
+    for (int d = 0; d < Dim; ++d) {
+      if (!rounds[d].empty()) at[d] += period[d] * rounds[d][slot];
+    }
+    return at;
+  }
+
   void resize(std::size_t slots) {
     for (auto& each : x) each.resize(slots + group_size);  // the slack that whole registers may read
     for (auto& each : compensation) each.resize(slots + group_size);

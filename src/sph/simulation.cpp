@@ -15,6 +15,7 @@
 #include "equations/energy.h"
 #include "equations/state.h"
 #include "equations/time_step.h"
+#include "scene/origin.h"
 #include "sph/clock.h"
 #include "sph/solver.h"
 #include "sph/timeline.h"
@@ -27,7 +28,8 @@ template <int Dim>
 class SimulationIn final : public Simulation {
  public:
   SimulationIn(const Scene& scene, int threads, InstructionSet instruction_set)
-      : scene_(scene),
+      : origin_(scene_origin(scene)),
+        scene_(relative_to(scene, origin_)),
         pool_(thread_count(threads)),
         sampling_(sample(scene)),
         clock_(scene_),
@@ -133,6 +135,9 @@ class SimulationIn final : public Simulation {
     const auto g = from_scene<Dim, double>(timeline_.state().gravity);
     const double rho0 = scene_.fluid.rest_density;
 
+    const auto origin = from_scene<Dim, double>(origin_);
+    const Vec<Dim, double> period = solver_->search().lattice().periodic().length;
+
     struct Sums {
       double error = 0, compression = 0, max_compression = 0, kinetic = 0, potential = 0;
       Vec<Dim, double> momentum{}, center{};
@@ -145,7 +150,7 @@ class SimulationIn final : public Simulation {
             if (fluid.empty(slot)) continue;
             const double error = density_error(static_cast<double>(solver_->density().at(slot)), rho0);
             const auto v = convert<double>(fluid.vector_at(solver_->velocity(), slot));
-            const Vec<Dim, double> x = fluid.position(slot);
+            const Vec<Dim, double> x = origin + fluid.unwrapped_position(slot, period);
             block.error += error;
             block.compression += positive_part(error);
             block.max_compression = std::max(block.max_compression, error);
@@ -259,7 +264,8 @@ class SimulationIn final : public Simulation {
                           : "smaller factors in solver.time_step, a lower stiffness, or more viscosity"));
   }
 
-  const Scene scene_;
+  const Vec3 origin_;  // m, of what the solver counts from
+  const Scene scene_;  // its positions count from there
   ThreadPool pool_;
   Sampling sampling_;
   Clock clock_;

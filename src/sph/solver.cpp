@@ -23,6 +23,18 @@ std::vector<Vec<Dim, double>> points(const std::vector<Vec3>& positions) {
   return list;
 }
 
+template <int Dim>
+Periodicity<Dim> periodicity(const Scene& scene) {
+  Periodicity<Dim> periodic;
+  const Bounds extent = periodic_extent(scene);
+  for (int d = 0; d < Dim; ++d) {
+    if (!is_periodic(scene, d)) continue;
+    periodic.start[d] = extent.min[d];
+    periodic.length[d] = extent.max[d] - extent.min[d];
+  }
+  return periodic;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -40,6 +52,7 @@ SphSolver<Dim>::SphSolver(const Scene& scene, const Sampling& sampling, ThreadPo
                .support_radius = constants_.support_radius,
                .skin = skin_per_dx<Dim> * scene.particle_spacing,
                .particles = sampling.fluid_positions.size(),
+               .periodic = periodicity<Dim>(scene),
                .instruction_set = instruction_set},
               pool),
       engine_(instruction_set, constants_.support_radius, search_, pool),
@@ -47,6 +60,11 @@ SphSolver<Dim>::SphSolver(const Scene& scene, const Sampling& sampling, ThreadPo
   bounds_.h = constants_.h;
   if (constants_.viscosity != ViscosityModel::none) bounds_.viscosity = controls_.viscosity;
   walls_.start_at(points<Dim>(sampling.wall_positions));
+  for (std::size_t i = 0; i < sampling.wall_slides.size() && wall_fields_.slide != nullptr; ++i) {
+    for (int d = 0; d < Dim; ++d) {
+      wall_fields_.slide->data(d)[i] = static_cast<float>(sampling.wall_slides[i][d]);
+    }
+  }
   search_.add(fluid_, Mobility::moving);
   search_.add(walls_, Mobility::fixed);
   search_.list(fluid_, fluid_);

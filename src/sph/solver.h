@@ -39,6 +39,7 @@ class SphSolver {
   // Neighbours and recomputed fields of the current state; at most once a step, whoever asks first. Throws std::range_error
   // for particles that have flown too far.
   void refresh();
+  virtual void recompute() = 0;  // the fields alone, with the neighbours of the last refresh()
   // Accelerations of a fresh state, and what bounds the next step.
   virtual void accelerate() = 0;
   // Moves the particles by dt (s) with these accelerations.
@@ -50,10 +51,11 @@ class SphSolver {
   ParticleSet<Dim>& fluid() { return fluid_; }
   const ParticleSet<Dim>& fluid() const { return fluid_; }
   const ParticleSet<Dim>& walls() const { return walls_; }
-  const Field& velocity() const { return fields_.velocity; }
-  const Field& density() const { return fields_.density; }
-  const Field& acceleration() const { return fields_.acceleration; }
-  const Field& pressure_term() const { return fields_.pressure_term; }
+  Field& velocity() const { return fields_.velocity; }
+  Field& density() const { return fields_.density; }
+  Field& acceleration() const { return fields_.acceleration; }
+  Field& pressure_term() const { return fields_.pressure_term; }
+  const WallFields<Dim>& wall_fields() const { return wall_fields_; }
   double pressure_at(std::size_t slot) const;  // Pa, of a fresh state
 
   double particle_mass() const { return constants_.mass; }         // kg
@@ -70,7 +72,6 @@ class SphSolver {
   // The scene must be valid; `sampling` are its particles.
   SphSolver(const Scene& scene, const Sampling& sampling, ThreadPool& pool, InstructionSet instruction_set);
 
-  virtual void recompute() = 0;  // fields, after neighbours
   StepChoice longest_step() const;
   void bound_by(const ForceExtremes& extremes);
   // After the particles moved by a step of dt (s): the particle of the smallest id that moved farther than step_reach(), or

@@ -94,7 +94,6 @@ solver:
   exponent: 1
   negative_pressure: keep
   wall_slip: free_slip
-  neighbour_search: naive
   time_step: {fixed: 1.0e-4}
 timeline:
   - {at: 1.0, over: 0.2, set: {gravity: [3, -9.81], fluid.viscosity.kinematic: 0.01}}

@@ -45,7 +45,6 @@ solver:
   exponent: 5
   negative_pressure: keep
   wall_slip: free_slip
-  neighbour_search: naive
   time_step: {cfl: 0.3, acoustic: 0.3, force: 0.2, viscous: 0.1, maximum: 0.01}
 timeline:
   - {at: 0.5, over: 0.1, set: {gravity: [0, 1], fluid.viscosity.kinematic: 0.1, fluid.surface_tension.coefficient: 2, solver.stiffness: 10}, reset: true, pause: false}

@@ -9,7 +9,7 @@
 
 #include "scene/sampling.h"
 #include "scene/scene.h"
-#include "sph/wcsph.h"
+#include "sph/solver.h"
 
 namespace weir {
 
@@ -40,10 +40,9 @@ inline Sampling shaken(const Scene& scene, unsigned seed) {
 }
 
 template <int Dim>
-void accelerate(Wcsph<Dim>& solver) {
-  solver.find_neighbours();
-  solver.compute_density_and_pressure();
-  solver.compute_accelerations();
+void accelerate(SphSolver<Dim>& solver) {
+  solver.refresh();
+  solver.accelerate();
 }
 
 template <int Dim>
@@ -64,7 +63,7 @@ struct State {
   std::vector<Vec<Dim, double>> position, velocity, acceleration, wall;
   std::vector<double> density, pressure, pressure_term;  // the last is p / rho^2
 
-  explicit State(const Wcsph<Dim>& solver) {
+  explicit State(const SphSolver<Dim>& solver) {
     const auto& fluid = solver.fluid();
     for (auto* each : {&position, &velocity, &acceleration}) each->resize(fluid.count);
     for (auto* each : {&density, &pressure, &pressure_term}) each->resize(fluid.count);
@@ -72,11 +71,11 @@ struct State {
       if (fluid.empty(slot)) continue;
       const auto i = static_cast<std::size_t>(fluid.id[slot]);
       position[i] = fluid.position(slot);
-      velocity[i] = convert<double>(fluid.velocity_of(slot));
-      acceleration[i] = convert<double>(fluid.acceleration_of(slot));
-      density[i] = fluid.density[slot];
+      velocity[i] = convert<double>(fluid.vector_at(solver.velocity(), slot));
+      acceleration[i] = convert<double>(fluid.vector_at(solver.acceleration(), slot));
+      density[i] = solver.density().at(slot);
       pressure[i] = solver.pressure_at(slot);
-      pressure_term[i] = fluid.pressure_term[slot];
+      pressure_term[i] = solver.pressure_term().at(slot);
     }
     for (std::size_t slot = 0; slot < solver.walls().slots(); ++slot) {
       if (!solver.walls().empty(slot)) wall.push_back(solver.walls().position(slot));
