@@ -22,7 +22,7 @@ class CsvRow {
   std::string text_;
 };
 
-// "time[s],step,dt[s],...": the columns that scripts rely on, then ours. Vectors have x and y in 2D.
+// "time[s],step,dt[s],...": diagnostic_columns(). Vectors have x and y in 2D.
 std::string log_header(int dimension);
 std::string log_row(const Diagnostics& diagnostics, int dimension);
 
