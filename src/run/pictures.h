@@ -26,7 +26,6 @@
 #include "output/sink.h"
 #include "render/renderer.h"
 #include "run/queue.h"
-#include "run/run_folder.h"
 #include "sph/simulation.h"
 
 namespace weir {
@@ -53,11 +52,11 @@ class Pictures {
   // Throws DeviceError.
   void await_device() { gl_renderer_ = made_.get(); }
   // Starts to write; the folder is there. Throws OutputError.
-  void open(const RunFolder& folder, const Provenance& provenance, int png_workers);
+  void open(const std::filesystem::path& folder, const Provenance& provenance, int png_workers);
 
   bool wants(std::int64_t frame) const;
-  bool has_room() const { return !free_frames_.empty(); }  // add() would not wait
-  // Copies the simulation's frame and queues it; waits while all buffers are in use.
+  bool has_room() const { return !free_snapshots_.empty(); }  // add() would not wait
+  // Queues a snapshot of the simulation; waits while all buffers are in use.
   void add(Simulation& simulation);
   // A stage has failed: no picture will be added to what is there.
   bool failed() const { return failed_; }
@@ -79,11 +78,12 @@ class Pictures {
     double time = 0;  // s
     std::filesystem::path file;
   };
-  // Frames in flight: one being drawn, one waiting, one being filled. Of few particles more, for those that wait while the
-  // device starts and shaders are compiled.
-  static constexpr std::int64_t least_frames = 3;
-  static constexpr std::int64_t most_frames = 8;
-  static constexpr std::int64_t frame_bytes = 32 << 20;  // of all of them, beyond the least
+  // Snapshots in flight: one being drawn, one waiting, one being filled. Small ones may be more, since several wait while
+  // the device starts and shaders are compiled.
+  static constexpr std::int64_t least_snapshots = 3;
+  static constexpr std::int64_t most_snapshots = 8;
+  static constexpr std::int64_t snapshot_bytes = 32 << 20;  // of all of them, beyond the least
+  static constexpr std::int64_t bytes_per_particle = sizeof(glm::vec3) + sizeof(float);
   // Movie pictures: one being read, one encoded, one waiting.
   static constexpr int movie_buffers = 3;
   // Images beyond those that the PNG workers hold: one being drawn, one waiting.
@@ -103,7 +103,7 @@ class Pictures {
 
   const Scene& scene_;
   std::vector<std::int64_t> stills_;  // frame numbers, ascending
-  const RunFolder* folder_ = nullptr;
+  std::filesystem::path folder_;
   bool opened_ = false;
   Provenance provenance_;
   std::future<std::string> made_;
@@ -114,8 +114,8 @@ class Pictures {
   // Pools before queues: what a queue still holds returns to its pool.
   Queue<std::unique_ptr<Image>> free_images_;
   Queue<MovieImage> free_movie_images_;
-  Queue<Frame> free_frames_;
-  Queue<Frame> frames_;
+  Queue<Snapshot> free_snapshots_;
+  Queue<Snapshot> snapshots_;
   Queue<MovieImage> movie_images_;
   Queue<PngJob> png_jobs_;
 

@@ -47,6 +47,7 @@ Sampling sample(const Scene& scene) {
       sampling.fluid_positions.push_back(point);
       sampling.fluid_velocities.push_back(volume.velocity + glm::cross(volume.angular_velocity, point - center));
     });
+    sampling.volume_ends.push_back(static_cast<std::int32_t>(sampling.fluid_positions.size()));
   }
   PointGrid kept(wall_merge_distance * dx);
   for (const Wall& wall : scene.walls) {

@@ -17,6 +17,7 @@
 #include "equations/state.h"
 #include "equations/time_step.h"
 #include "sph/clock.h"
+#include "sph/fill_snapshot.h"
 #include "sph/timeline.h"
 #include "sph/wcsph.h"
 
@@ -52,6 +53,7 @@ class SimulationIn final : public Simulation {
       : scene_(scene),
         pool_(thread_count(threads)),
         sampling_(sample(scene)),
+        volume_ends_(sampling_.volume_ends),
         clock_(scene_),
         timeline_(scene_),
         solver_(scene_, sampling_, pool_, instruction_set),
@@ -99,63 +101,13 @@ class SimulationIn final : public Simulation {
     follow_timeline();
   }
 
-  void fill(Frame& frame) override {
-    frame.index = clock_.frame_index();
-    frame.time = clock_.time();
-    frame.simulated_time = simulated_time_;
-    frame.dt = dt_;
-    frame.cfl = cfl_number(dt_, solver_.max_speed(), solver_.smoothing_length());
-    frame.cfl_met = frame.cfl <= cfl_factor();
-    const ColorBy by = scene_.render.color.by;
-    if (by != ColorBy::speed) bring_up_to_date();
-    frame.particles.resize(solver_.fluid().count);
-    const FluidParticles<Dim>& fluid = solver_.fluid();
-    const auto show = [&](std::size_t slot) {
-      const Vec<Dim, double> x = fluid.position(slot);
-      glm::vec4 shown(0);
-      for (int d = 0; d < Dim; ++d) shown[d] = static_cast<float>(x[d]);
-      switch (by) {
-        case ColorBy::speed: {
-          const Vec<Dim> v = fluid.velocity_of(slot);
-          shown.w = std::sqrt(dot(v, v));
-          break;
-        }
-        case ColorBy::density:
-          shown.w = fluid.density[slot];
-          break;
-        case ColorBy::pressure:
-          shown.w = static_cast<float>(solver_.pressure_at(slot));
-          break;
-      }
-      return shown;
-    };
-    // Slots without the empty ones: each block writes from where the blocks before it end.
-    std::vector<std::size_t> first(block_count(fluid.slots()) + 1);
-    for (std::size_t slot = 0; slot < fluid.slots(); ++slot) {
-      if (!fluid.empty(slot)) ++first[slot / block_size + 1];
-    }
-    for (std::size_t block = 1; block < first.size(); ++block) first[block] += first[block - 1];
-    parallel_blocks(fluid.slots(), pool_, [&](std::size_t block, std::size_t begin, std::size_t end) {
-      std::size_t place = first[block];
-      for (std::size_t slot = begin; slot < end; ++slot) {
-        if (!fluid.empty(slot)) frame.particles[place++] = show(slot);
-      }
-    });
-  }
-
-  StaticScene static_scene() const override {
-    StaticScene still;
-    still.particle_spacing = scene_.particle_spacing;
-    still.max_speed_estimate = max_speed_estimate(scene_);
-    const WallParticles<Dim>& walls = solver_.walls();
-    for (std::size_t slot = 0; slot < walls.slots(); ++slot) {
-      if (walls.empty(slot)) continue;
-      const Vec<Dim, double> x = walls.position(slot);
-      glm::vec3 shown(0);
-      for (int d = 0; d < Dim; ++d) shown[d] = static_cast<float>(x[d]);
-      still.walls.push_back(shown);
-    }
-    return still;
+  void fill(Snapshot& snapshot, const SnapshotRequest& request) override {
+    if (request.needs_recomputed()) bring_up_to_date();
+    static_cast<Instant&>(snapshot) = instant();
+    const auto pressure_at = [this](std::size_t slot) { return solver_.pressure_at(slot); };
+    const FieldSources<Dim, decltype(pressure_at)> sources{solver_.fluid(), pressure_at, volume_ends_};
+    fill_fluid(sources, request, pool_, snapshot.fluid);
+    fill_walls(solver_.walls(), request.wall_positions, pool_, snapshot.walls);
   }
 
   Diagnostics diagnostics() override {
@@ -241,6 +193,13 @@ class SimulationIn final : public Simulation {
   InstructionSet instruction_set() const override { return solver_.instruction_set(); }
 
  private:
+  Instant instant() const {
+    Instant now{.index = clock_.frame_index(), .time = clock_.time(), .simulated_time = simulated_time_, .dt = dt_};
+    now.cfl = cfl_number(dt_, solver_.max_speed(), solver_.smoothing_length());
+    now.cfl_met = now.cfl <= cfl_factor();
+    return now;
+  }
+
   // Neighbours, densities and pressures of the current positions; at most once per step, whoever asks first.
   void bring_up_to_date() {
     if (up_to_date_) return;
@@ -315,6 +274,7 @@ class SimulationIn final : public Simulation {
   const Scene scene_;
   ThreadPool pool_;
   Sampling sampling_;
+  std::vector<std::int32_t> volume_ends_;
   Clock clock_;
   Timeline timeline_;
   Wcsph<Dim> solver_;
