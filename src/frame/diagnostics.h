@@ -9,7 +9,7 @@
 
 namespace weir {
 
-// What kept the last time step from being longer.
+// The bound that set the length of the last time step.
 enum class StepLimit { none, fixed, velocity, acoustic, force, viscosity, maximum };
 std::string_view name_of(StepLimit limit);
 

@@ -1,4 +1,4 @@
-// What a renderer draws: the particles of one instant in a compact form, and what does not move.
+// Input of a renderer: the particles of one instant in a compact form, and the static scene.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -12,9 +12,9 @@ struct Frame : Instant {
   std::vector<glm::vec4> particles;  // x, y, z in m (z = 0 in 2D); w = the quantity that colours, in its unit
 };
 
-// What a frame coloured by a quantity is made from.
+// Request for the snapshot that a frame coloured by a quantity is made from.
 SnapshotRequest frame_request(Quantity quantity);
-// The snapshot holds what frame_request() asks for. The frame's memory is used again.
+// From a snapshot filled by frame_request(). The frame's memory is reused.
 void make_frame(const Snapshot& snapshot, Quantity quantity, Frame& frame);
 
 // Walls, and the sizes that a picture needs; the same for all frames of a run.

@@ -26,7 +26,7 @@ class CsvRow {
 std::string log_header(int dimension);
 std::string log_row(const Diagnostics& diagnostics, int dimension);
 
-// Each row is on its way to the disk when write() returns: a kill leaves complete rows. Throws OutputError.
+// Each row is passed to the kernel when write() returns: a kill leaves complete rows. Throws OutputError.
 class LogWriter {
  public:
   LogWriter(const std::filesystem::path& file, int dimension);

@@ -11,8 +11,8 @@ namespace weir {
 
 namespace {
 
-// What a change of pressure, Pa, is divided by to give the relative change of density: the stiffness of the linear state
-// equation with the same sound speed.
+// Pa; a change of pressure over the relative change of density: the stiffness of the linear state equation with the same
+// sound speed.
 double bulk_modulus(const Scene& scene) { return stiffness_of_state(sound_speed(scene), 1, scene.fluid.rest_density); }
 
 // From 0 to the last of `count` numbers; never empty.

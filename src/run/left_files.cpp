@@ -20,15 +20,15 @@ bool is_numbered_png(std::string_view name, std::string_view prefix) {
 
 }  // namespace
 
-bool stands(const fs::path& file) {
+bool path_exists(const fs::path& file) {
   std::error_code unknown;
   return fs::exists(fs::symlink_status(file, unknown));
 }
 
 std::vector<fs::path> existing(const std::vector<fs::path>& files) {
-  std::vector<fs::path> standing;
-  std::copy_if(files.begin(), files.end(), std::back_inserter(standing), stands);
-  return standing;
+  std::vector<fs::path> found;
+  std::copy_if(files.begin(), files.end(), std::back_inserter(found), path_exists);
+  return found;
 }
 
 std::vector<fs::path> numbered_pngs(const fs::path& folder, std::string_view prefix) {

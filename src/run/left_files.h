@@ -7,10 +7,10 @@
 
 namespace weir {
 
-// Whether something stands at this path, be it a dangling link.
-bool stands(const std::filesystem::path& file);
+// Whether the path exists, be it as a dangling link.
+bool path_exists(const std::filesystem::path& file);
 
-// Those of the files that stand.
+// Those of the files that exist.
 std::vector<std::filesystem::path> existing(const std::vector<std::filesystem::path>& files);
 
 // Files in `folder` named by `prefix`, five digits or more, and ".png".

@@ -56,7 +56,7 @@ class LogOutput final : public Observer {
   int dimension_;
   LogSchedule schedule_;
   std::optional<LogWriter> log_;
-  std::vector<Diagnostics> early_rows_;  // of steps before there was a file
+  std::vector<Diagnostics> early_rows_;  // of steps ahead of the file
   double max_density_error_ = 0;         // over all rows
   double seconds_ = 0;                   // of wall time
 };

@@ -1,4 +1,4 @@
-// The facts of a run for its manifest: those of the program and the solver, and what the observers add.
+// The facts of a run for its manifest: those of program, solver and observers.
 #pragma once
 
 #include "output/manifest.h"
@@ -7,7 +7,7 @@
 
 namespace weir {
 
-// What is known when the run begins; without exit, for it has not ended.
+// Facts that are known when the run begins; without exit, for it has not ended.
 Manifest opening_facts(const RunContext& run, const Observers& observers);
 // All but exit and wall times of the whole run, after every observer has finished.
 Manifest closing_facts(const RunContext& run, const Observers& observers);

@@ -24,7 +24,7 @@ class Observer {
   // observer has no room.
   virtual bool starting() const { return false; }
   virtual bool has_room() const { return true; }
-  // Throws what the start threw.
+  // Throws an error of the start.
   virtual void await_start() {}
   // The run's folder is there. Throws OutputError.
   virtual void open(const std::filesystem::path& /*folder*/) {}
@@ -41,7 +41,7 @@ class Observer {
 
   // Completes the files. `valid` is false after a divergence: the state is of no use then. Throws.
   virtual void finish(Simulation& /*simulation*/, bool /*valid*/) {}
-  // Facts about what it did.
+  // Facts that are known at the end.
   virtual void account(Manifest& /*facts*/) const {}
 };
 

@@ -1,4 +1,4 @@
-// How a run ends: its first trouble decides the exit code, later ones add their messages.
+// How a run ends: its first error decides the exit code, later ones add their messages.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace weir {
 
 class Outcome {
  public:
-  // Notes what the work throws.
+  // Notes an exception of the work.
   template <class Work>
   void attempt(Work work) {
     try {

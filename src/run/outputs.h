@@ -23,7 +23,7 @@ struct OutputKind {
 
 std::span<const OutputKind> output_kinds();
 
-// Observers of what the scene asks for, in the order in which they start and look; they finish in reverse.
+// Observers for all outputs that the scene asks for, in the order in which they start and look; they finish in reverse.
 Observers make_observers(const RunContext& run);
 
 }  // namespace weir

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 // A thread works for a stage until the end of the block.
 class Pictures::AtWork {
  public:
-  // `name` is the span's, and must live for ever.
+  // `name` is the span's; it is never copied, so it must be a literal.
   AtWork(Pictures& pictures, double PictureTimes::*stage, const char* name)
       : pictures_(pictures), stage_(stage), span_(name) {
     ++pictures_.at_work_;
@@ -191,7 +191,7 @@ void Pictures::draw_png(Renderer& renderer, const Frame& frame) {
     renderer.draw(frame, *image);
   }
   const SharedImage shared(image.release(), [this](const Image* done) {
-    free_images_.put_back(std::unique_ptr<Image>(const_cast<Image*>(done)));  // ours alone again
+    free_images_.put_back(std::unique_ptr<Image>(const_cast<Image*>(done)));  // the last reference is gone
   });
   if (scene_.output.frames) png_jobs_.push({shared, frame.time, folder_ / frame_file(frame.index)});
   if (std::binary_search(stills_.begin(), stills_.end(), frame.index)) {
@@ -220,13 +220,13 @@ void Pictures::encode_movie() {
 }
 
 void Pictures::write_pngs(int worker) {
-  // Names live for ever; there are never more workers.
+  // Literals, as spans need; there are never more workers.
   static constexpr std::array<const char*, most_png_workers> names = {"png 1", "png 2", "png 3", "png 4"};
   Trace::name_thread(names[worker]);
   while (const std::optional<PngJob> job = png_jobs_.pop()) {
     const AtWork work(*this, &PictureTimes::write, "write PNG");
     try {
-      // Once a stage has failed the run is over; what is queued would only delay its end.
+      // Once a stage has failed the run ends; files still queued would only delay its end.
       if (!failed_) write_png(job->file, *job->image, scene_.render.transparent, provenance_, job->time);
     } catch (...) {
       fail(std::current_exception());

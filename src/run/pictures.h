@@ -1,10 +1,10 @@
 // Drawing and encoding beside the solver: one thread draws (and owns the GL context), one encodes the movie, some
-// compress PNG files. What each takes of the machine is known while it works, so that the solver can leave it that much: a
-// loop whose threads share their processors with others waits for the slowest.
+// compress PNG files. They count themselves while they work, so that the solver can leave them as many processors: a loop
+// whose threads share their processors with others waits for the slowest.
 // Frames and images are recycled buffers of fixed number, so a slow stage holds up those before it.
 //
-// A stage that fails keeps emptying its queue without working, so nobody waits for it in vain, and the others finish
-// what they have; the first error reaches the caller in finish().
+// A stage that fails keeps emptying its queue without working, so that no stage waits for it in vain, and the others finish
+// their items; finish() throws the first error.
 #pragma once
 
 #include <array>
@@ -40,14 +40,14 @@ class Pictures {
  public:
   static constexpr int most_png_workers = 4;  // beyond that the solver starves
 
-  // Starts the drawing thread and makes the renderer on it, from what must live until await_device() returns. Frames will
-  // have so many particles.
+  // Starts the drawing thread and makes the renderer on it. The arguments live until await_device() returns; `particles`
+  // are those of a snapshot.
   Pictures(const Scene& scene, const StaticScene& static_scene, std::int64_t particles, const DeviceChoice& device);
   ~Pictures();
   Pictures(const Pictures&) = delete;
   Pictures& operator=(const Pictures&) = delete;
 
-  // Until the device has started, or failed to, frames may be added: they wait.
+  // Until the device has started, or failed to, snapshots wait in the queue.
   bool device_starts() const { return made_.wait_for(std::chrono::seconds(0)) != std::future_status::ready; }
   // Throws DeviceError.
   void await_device() { gl_renderer_ = made_.get(); }
@@ -58,7 +58,7 @@ class Pictures {
   bool has_room() const { return !free_snapshots_.empty(); }  // add() would not wait
   // Queues a snapshot of the simulation; waits while all buffers are in use.
   void add(Simulation& simulation);
-  // A stage has failed: no picture will be added to what is there.
+  // A stage has failed: no further picture will be written.
   bool failed() const { return failed_; }
   // How many threads draw, encode or compress at this moment.
   const std::atomic<int>& at_work() const { return at_work_; }
@@ -111,7 +111,7 @@ class Pictures {
   std::string encoder_;
   std::unique_ptr<MovieSink> movie_;
 
-  // Pools before queues: what a queue still holds returns to its pool.
+  // Pools before queues: items left in a queue return to its pool.
   Queue<std::unique_ptr<Image>> free_images_;
   Queue<MovieImage> free_movie_images_;
   Queue<Snapshot> free_snapshots_;
@@ -126,7 +126,7 @@ class Pictures {
   PictureTimes times_;
   std::atomic<std::int64_t> drawn_ = 0;
 
-  std::deque<MovieImage> under_way_;  // for those begun and not yet read; the drawing thread's own
+  std::deque<MovieImage> under_way_;  // begun and not yet read; of the drawing thread alone
 
   std::thread drawing_;
   std::thread encoding_;

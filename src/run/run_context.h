@@ -1,4 +1,4 @@
-// What an output may know of its run.
+// The run, as its outputs see it.
 #pragma once
 
 #include <string>

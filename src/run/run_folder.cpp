@@ -30,7 +30,7 @@ constexpr std::string_view mark = "# The effective scene of a run of weir, all d
 }  // namespace
 
 std::optional<Manifest> past_run(const fs::path& manifest_file) {
-  if (!stands(manifest_file)) return std::nullopt;
+  if (!path_exists(manifest_file)) return std::nullopt;
   try {
     return read_manifest(manifest_file);
   } catch (const OutputError&) {
@@ -71,8 +71,8 @@ bool RunFolder::holds_finished(const Provenance& provenance) const {
     return false;
   }
   const std::vector<fs::path> files = files_of_outputs();
-  return stands(scene_file()) &&
-         std::all_of(files.begin(), files.end(), [this](const fs::path& file) { return stands(folder_ / file); });
+  return path_exists(scene_file()) &&
+         std::all_of(files.begin(), files.end(), [this](const fs::path& file) { return path_exists(folder_ / file); });
 }
 
 std::vector<fs::path> RunFolder::files_of_runs() const {
@@ -86,7 +86,7 @@ std::vector<fs::path> RunFolder::files_of_runs() const {
 void RunFolder::refuse_other_run(bool force) const {
   const std::vector<fs::path> files = files_of_runs();
   if (files.empty()) return;
-  if (stands(scene_file()) && !read_file(scene_file()).starts_with(mark)) {
+  if (path_exists(scene_file()) && !read_file(scene_file()).starts_with(mark)) {
     throw UsageError(fmt::format("{} was not written by weir and would be overwritten: choose another folder with -o",
                                  scene_file().string()));
   }
@@ -99,7 +99,8 @@ void RunFolder::refuse_other_run(bool force) const {
 void RunFolder::make(const fs::path& folder) {
   std::error_code failed;
   if (folder.empty() || fs::is_directory(folder, failed)) return;
-  if (stands(folder)) throw OutputError(fmt::format("cannot make folder {}: a file is there", folder.string()));
+  if (path_exists(folder))
+    throw OutputError(fmt::format("cannot make folder {}: a file of that name exists", folder.string()));
   make(folder.parent_path());
   if (!fs::create_directory(folder, failed) && failed) {
     throw OutputError(fmt::format("cannot make folder {}: {}", folder.string(), failed.message()));

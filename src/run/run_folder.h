@@ -45,7 +45,7 @@ class RunFolder {
   void withdraw();
 
  private:
-  std::vector<std::filesystem::path> files_of_runs() const;     // that stand
+  std::vector<std::filesystem::path> files_of_runs() const;     // that exist
   std::vector<std::filesystem::path> files_of_outputs() const;  // of this run, by their paths in the folder
   void make(const std::filesystem::path& folder);
   void lock();

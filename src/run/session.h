@@ -21,7 +21,7 @@ class Session {
   Session(const Scene& scene, const RunOptions& options, RunFolder& folder, std::string scene_text,
           Provenance provenance);
 
-  // Everything that can fail for lack of something: device, folder, encoder. Nothing stays behind when it throws.
+  // Takes device, folder and encoder. Leaves no file behind when one of them fails. Throws.
   void open();
   // Steps to the end of the scene. Never throws: errors are in the result.
   RunResult play();
@@ -47,7 +47,7 @@ class Session {
   std::unique_ptr<Simulation> simulation_;
   RunContext context_;
   Observers observers_;
-  std::exception_ptr failed_ahead_;  // by a step before there were files
+  std::exception_ptr failed_ahead_;  // by a step ahead of the files
   Outcome outcome_;
 };
 

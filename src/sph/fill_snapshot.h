@@ -64,7 +64,7 @@ void fill_positions(const Positions<Dim>& positions, const OccupiedSlots<Dim>& o
   if (precision == Precision::exact) fill(set.exact_positions);
 }
 
-// What fields are computed from.
+// The solver's values that fields are computed from.
 template <int Dim, class PressureAt>
 struct FieldSources {
   const FluidParticles<Dim>& fluid;

@@ -48,7 +48,7 @@ class Simulation {
   virtual std::int64_t wall_particles() const = 0;
 
   // Both first update stale densities and pressures that they read. Neither changes positions or velocities.
-  // The snapshot's memory is used again.
+  // The snapshot's memory is reused.
   virtual void fill(Snapshot& snapshot, const SnapshotRequest& request) = 0;
   virtual Diagnostics diagnostics() = 0;
   // SHA-256 of position and velocity bits of all fluid particles in id order.
