@@ -1,13 +1,15 @@
-// The numbers of one log row.
+// The numbers of one log row, and the table of the log's columns.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string_view>
+#include <variant>
 
 namespace weir {
 
-// What kept the last time step from being longer.
+// The bound that set the length of the last time step.
 enum class StepLimit { none, fixed, velocity, acoustic, force, viscosity, maximum };
 std::string_view name_of(StepLimit limit);
 
@@ -28,5 +30,18 @@ struct Diagnostics {
   std::array<double, 3> momentum{};        // kg m/s
   std::array<double, 3> center_of_mass{};  // m
 };
+
+// A number, a count, a name, or a vector with one component per axis.
+using DiagnosticValue = std::variant<double Diagnostics::*, std::int64_t Diagnostics::*, StepLimit Diagnostics::*,
+                                     std::array<double, 3> Diagnostics::*>;
+
+struct DiagnosticColumn {
+  std::string_view name;
+  std::string_view unit;  // SI, 1 for ratios; empty: a count or a name
+  DiagnosticValue value;
+};
+
+// In the order of the log. Columns that scripts rely on come first; new ones are added at the end.
+std::span<const DiagnosticColumn> diagnostic_columns();
 
 }  // namespace weir

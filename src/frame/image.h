@@ -17,7 +17,7 @@ struct Image {
   const std::uint8_t* pixel(int x, int y) const { return &rgba[4 * (static_cast<std::size_t>(y) * width + x)]; }
 };
 
-// What a movie's frame holds: 8-bit Y'CbCr of BT.709, Y in 16 .. 235 and chroma in 16 .. 240, one sample of chroma for
+// A movie's frame: 8-bit Y'CbCr of BT.709, Y in 16 .. 235 and chroma in 16 .. 240, one sample of chroma for
 // 2 x 2 pixels, level with the middle of their left edge as H.264 has it by default; rows from top to bottom, no padding.
 struct MovieImage {
   int width = 0;  // even, as is the height
@@ -25,7 +25,7 @@ struct MovieImage {
   std::vector<std::uint8_t> y;   // width * height
   std::vector<std::uint8_t> cb;  // a quarter of that
   std::vector<std::uint8_t> cr;
-  // Of who drew this last, to know it again and draw only what has changed; 0: it may show anything.
+  // Set by the renderer that drew this, which then redraws only what has changed; 0: content unknown.
   std::int64_t known_as = 0;
 
   void resize(int new_width, int new_height) {

@@ -35,7 +35,7 @@ void keep_messages() {
   static_cast<void>(once);
 }
 
-std::string said() {
+std::string take_messages() {
   const std::lock_guard lock(messages_mutex);
   const std::string text = std::exchange(messages, {});
   return text.empty() ? text : fmt::format(" ({})", text);
@@ -48,7 +48,7 @@ std::string text_of(int error) {
 }
 
 int require(int code, const std::string& doing) {
-  if (code < 0) throw OutputError(fmt::format("cannot {}: {}{}", doing, text_of(code), said()));
+  if (code < 0) throw OutputError(fmt::format("cannot {}: {}{}", doing, text_of(code), take_messages()));
   return code;
 }
 

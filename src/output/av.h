@@ -1,4 +1,4 @@
-// libav's objects owned, its error numbers thrown, its messages kept for the error's text.
+// Owners of libav's objects, its error numbers as exceptions, its messages kept for their text.
 #pragma once
 
 extern "C" {
@@ -31,13 +31,13 @@ using Packet = std::unique_ptr<AVPacket, Release>;
 using Input = std::unique_ptr<AVFormatContext, CloseInput>;
 using Scaler = std::unique_ptr<SwsContext, Release>;
 
-// From now on nothing of libav goes to stderr: its errors wait for said(). Once is enough, more does no harm.
+// Keeps libav's messages for take_messages() from now on, away from stderr. Further calls change nothing.
 void keep_messages();
-// What libav said since the last call, in brackets with a leading space; empty if nothing.
-std::string said();
+// libav's messages since the last call, in brackets with a leading space; empty if none.
+std::string take_messages();
 std::string text_of(int error);  // libav's name of an error
 
-// Throws OutputError "cannot <doing>: <text> (<what libav said>)" if `code` is negative; else returns it.
+// Throws OutputError "cannot <doing>: <text> (<libav's messages>)" if `code` is negative; else returns it.
 int require(int code, const std::string& doing);
 // The same for a function that returns null when memory is out.
 template <class T>
@@ -46,15 +46,15 @@ T* require(T* pointer, const std::string& doing) {
   return pointer;
 }
 
-// What the file's own headers say of it. Throws OutputError.
+// A file by its headers alone. Throws OutputError.
 Input open_container(const std::filesystem::path& file);
-// And what its first pictures say, which takes decoding them. Throws OutputError.
+// Also by its first pictures, which are decoded for it. Throws OutputError.
 Input open_input(const std::filesystem::path& file);
-// A file's name that libav never takes for a protocol's, whatever it contains.
+// A file's name as a URL, so that libav takes no part of it for a protocol.
 std::string url_of(const std::filesystem::path& file);
 
-// From YUV to full-range RGBA, by the tags that a movie has. What it does not say is taken as in H.264: samples of chroma
-// beside the left edge of their pixels.
+// From YUV to full-range RGBA, by a movie's tags. Defaults are those of H.264: samples of chroma beside the left edge of
+// their pixels.
 struct YuvKind {
   AVPixelFormat format = AV_PIX_FMT_YUV420P;
   AVColorSpace matrix = AVCOL_SPC_BT709;

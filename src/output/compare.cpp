@@ -114,7 +114,7 @@ class Comparison {
         movies(name, found_a[name], found_b[name]);
       }
     }
-    // Who tolerates other pixels tolerates what they show: then hash and log are told, but decide nothing.
+    // A tolerance for pixels covers the state behind them: hash and log are then reported, but decide nothing.
     const bool exact = names.empty() || (options_.max == 0 && options_.fraction == 0);
     state_hashes(a, b, exact);
     logs(a, b, exact);
@@ -180,7 +180,7 @@ class Comparison {
     result_.items.push_back(std::move(item));
   }
 
-  // What one side lacks is a difference of its own.
+  // A file that one side lacks is a difference of its own.
   bool both_hold(const fs::path& a, const fs::path& b, const char* name) {
     const bool in_a = fs::exists(a / name);
     const bool in_b = fs::exists(b / name);

@@ -25,7 +25,7 @@ struct PictureDifference {
   double fraction_above = 0;  // of the pixels, that differ by more than options.max
 };
 
-// One thing that was compared: a picture, a movie, the state hash, the log.
+// One part of the comparison: a picture, a movie, the state hash, the log.
 struct ComparisonItem {
   std::string name;                               // "dam_break.mp4", "frames/frame_00012.png", "state_hash"
   bool same = false;                              // within tolerance
@@ -38,17 +38,17 @@ struct ComparisonResult {
   bool same = false;  // every item is
   std::vector<ComparisonItem> items;
   std::filesystem::path difference;  // written, of the worst picture; empty: not asked for or nothing to show
-  std::string text() const;          // for people, a line per item
-  std::string json() const;          // for programs
+  std::string text() const;          // a line per item
+  std::string json() const;          // the same as JSON
 };
 
-// Two PNGs, two movies or two run folders. What is missing on one side, or of another size, is a difference. Throws
-// OutputError for what cannot be read, and if the two are of different kinds.
+// Two PNGs, two movies or two run folders. A file that one side lacks, or of another size, is a difference. Throws
+// OutputError for files that cannot be read, and if the two are of different kinds.
 ComparisonResult compare(const std::filesystem::path& a, const std::filesystem::path& b,
                          const ComparisonOptions& options);
 
 PictureDifference difference_of(const Image& a, const Image& b, int max);  // sizes must be equal
-// What differs, bright on black: the absolute difference of each colour, amplified so that the largest is white.
+// The difference, bright on black: the absolute difference of each colour, amplified so that the largest is white.
 Image difference_picture(const Image& a, const Image& b);
 
 }  // namespace weir

@@ -30,7 +30,7 @@ struct MovieFacts {
   double max_time_error = 0;  // s, largest |time of frame k - k / frame_rate|
   bool faststart = false;     // moov before mdat
 };
-// Frame after frame, so that two movies can be held side by side without keeping either.
+// Frame after frame, so that two movies can be compared without keeping either.
 class MovieReader {
  public:
   MovieReader() = default;

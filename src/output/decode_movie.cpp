@@ -60,7 +60,7 @@ class LibavReader final : public MovieReader {
   bool next(Image* image) override {
     int code = 0;
     while ((code = avcodec_receive_frame(codec_.get(), frame_.get())) == AVERROR(EAGAIN)) feed();
-    said();  // the decoder talks of a movie that was cut off; what it cannot do it returns
+    take_messages();  // messages about a movie that was cut off; errors are in the returned code
     if (code == AVERROR_EOF) return false;
     require(code, reading_);
     if (image != nullptr) convert(*image);
@@ -88,7 +88,7 @@ class LibavReader final : public MovieReader {
   }
 
  private:
-  // The next packet of the stream goes in; at the end of the file, the decoder is told.
+  // The next packet of the stream goes in; at the end of the file, the decoder is drained.
   void feed() {
     int code = 0;
     while ((code = av_read_frame(input_.get(), packet_.get())) >= 0 && packet_->stream_index != stream_->index) {

@@ -54,22 +54,23 @@ void set(AVCodecContext& codec, const char* option, const std::string& value) {
           fmt::format("set {} of encoder {} to {}", option, codec.codec->name, value));
 }
 
-// Of libopenh264 and the hardware encoders, which differ in what they know and that no test machine has: what is not
-// known stays at its default.
+// For libopenh264 and the hardware encoders, which differ in their options and are on no test machine: unknown options
+// stay at their defaults.
 void ask(AVCodecContext& codec, const char* option, const std::string& value) {
   if (codec.priv_data != nullptr) av_opt_set(codec.priv_data, option, value.c_str(), 0);
 }
 
-// A preset chosen for one encoder must be known to it; one given with `auto` is meant for libx264, and so is ours.
+// A preset chosen for one encoder must exist there; one given with `auto` is meant for libx264, as the default is.
 void set_other_preset(AVCodecContext& codec, const Movie& movie) {
   if (movie.encoder == "auto" || movie.preset == Movie{}.preset) return;
   if (codec.priv_data == nullptr || av_opt_set(codec.priv_data, "preset", movie.preset.c_str(), 0) < 0) {
-    throw OutputError(fmt::format("output.movie.preset: {} has no {}{}", codec.codec->name, movie.preset, said()));
+    throw OutputError(
+        fmt::format("output.movie.preset: {} has no {}{}", codec.codec->name, movie.preset, take_messages()));
   }
 }
 
 void tune_x264(AVCodecContext& codec, const EncoderSettings& settings) {
-  // Asked first: x264 itself would complain on stderr.
+  // Checked first: x264 itself would complain on stderr.
   if (std::ranges::find(x264_presets, settings.movie.preset) == x264_presets.end()) {
     throw OutputError(fmt::format("output.movie.preset: libx264 has no {}; there are {}", settings.movie.preset,
                                   fmt::join(x264_presets, ", ")));
@@ -113,7 +114,7 @@ void tune_unseen(AVCodecContext& codec, const EncoderSettings& settings) {
   ask(codec, "qp", fmt::format("{}", quality));
   ask(codec, "profile", "high");
   ask(codec, "delay", "0");
-  // For those that only know rates: a tenth of a bit per pixel at 23, twice that for every 6 below.
+  // For encoders that take rates alone: a tenth of a bit per pixel at 23, twice that for every 6 below.
   const double pixels_per_second = static_cast<double>(settings.width) * settings.height * settings.fps;
   codec.bit_rate = std::llround(pixels_per_second * 0.1 * std::exp2((23 - quality) / 6.0));
 }
@@ -144,7 +145,7 @@ Codec open_named(const std::string& name, const EncoderSettings& settings) {
     name == "mpeg4" ? tune_mpeg4(*context, settings) : tune_unseen(*context, settings);
   }
   require(avcodec_open2(context.get(), codec, nullptr), "open encoder " + name);
-  said();  // warnings of what went well must not show up in a later error
+  take_messages();  // warnings of a success must not show up in a later error
   return context;
 }
 

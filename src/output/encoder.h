@@ -1,4 +1,4 @@
-// Which encoder there is, and how each is told quality, speed and profile.
+// The encoders of this machine, and the options that set quality, speed and profile of each.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ struct EncoderSettings {
 
 // Opens the encoder that the settings name, or for "auto" the first that opens of libx264, libopenh264, the hardware
 // ones and mpeg4. Key frames come every second, B-frames never: decoding order is showing order, from time 0, in every
-// player. Throws OutputError listing what was tried and what there is.
+// player. Throws OutputError listing the encoders tried and those built in.
 Codec open_encoder(const EncoderSettings& settings);
 
 // Those that open on this machine.

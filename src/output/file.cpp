@@ -102,7 +102,7 @@ void GrowingFile::append(std::string_view piece) {
     return;
   }
   const int error = errno;
-  // Should the cut fail as well, the reader finds an unfinished piece at the end; the first error is the one to tell.
+  // Should the cut fail as well, the reader finds an unfinished piece at the end; the first error is the one to report.
   if (::ftruncate(descriptor_, size_) == 0) ::lseek(descriptor_, size_, SEEK_SET);
   errno = error;
   throw_file_error("write", path_);

@@ -1,4 +1,4 @@
-// Files that are whole or not there: written beside their place and renamed, or grown by whole pieces.
+// Files that are whole or absent: written under another name and renamed, or grown by whole pieces.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,14 @@
 
 namespace weir {
 
-// "cannot <doing> <file>: <errno's text>" and, where there is one, the way out. Reads errno first.
+// "cannot <doing> <file>: <errno's text>" and, where there is one, a remedy. Reads errno first.
 [[noreturn]] void throw_file_error(std::string_view doing, const std::filesystem::path& file);
 
 // A reader sees the old content or all of the new, whenever this process ends. Throws OutputError; leaves no temporary.
 void write_file(const std::filesystem::path& file, std::string_view content);
 std::string read_file(const std::filesystem::path& file);  // throws OutputError
 
-// Where something that takes long to write may grow before it is renamed to `file`.
+// The name under which a file that takes long to write grows before it is renamed to `file`.
 std::filesystem::path temporary_of(const std::filesystem::path& file);
 
 // A file that grows by whole pieces: after a failure it is cut back to the last one, after a kill it ends with it
@@ -29,7 +29,7 @@ class GrowingFile {
   GrowingFile& operator=(const GrowingFile&) = delete;
 
   void append(std::string_view piece);  // throws OutputError
-  void close();                         // reports what a network file system told late; throws OutputError
+  void close();                         // reports errors that a network file system delays; throws OutputError
   const std::filesystem::path& path() const { return path_; }
 
  private:

@@ -2,16 +2,28 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <variant>
+
 namespace weir {
 
 namespace {
 
-std::string components(std::string_view name, std::string_view unit, int dimension) {
-  std::string text;
-  for (const char axis : std::string_view("xyz").substr(0, static_cast<std::size_t>(dimension))) {
-    text += fmt::format(",{}_{}[{}]", name, axis, unit);
+// Calls visit(suffix, value) for every component of a column: once for all but vectors.
+template <class Visit>
+void for_each_component(const DiagnosticColumn& column, const Diagnostics& row, int dimension, const Visit& visit) {
+  if (const auto* vector = std::get_if<std::array<double, 3> Diagnostics::*>(&column.value)) {
+    static constexpr std::array<std::string_view, 3> suffixes{"_x", "_y", "_z"};
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis) {
+      visit(suffixes[axis], (row.**vector)[axis]);
+    }
+  } else if (const auto* limit = std::get_if<StepLimit Diagnostics::*>(&column.value)) {
+    visit("", name_of(row.**limit));
+  } else if (const auto* count = std::get_if<std::int64_t Diagnostics::*>(&column.value)) {
+    visit("", row.**count);
+  } else {
+    visit("", row.*std::get<double Diagnostics::*>(column.value));
   }
-  return text;
 }
 
 }  // namespace
@@ -27,21 +39,21 @@ CsvRow& CsvRow::add(std::string_view text) {
 }
 
 std::string log_header(int dimension) {
-  return "time[s],step,dt[s],cfl[1],max_speed[m/s],mean_density_error[1],mean_compression[1],max_density_error[1],"
-         "kinetic_energy[J],potential_energy[J]" +
-         components("momentum", "kg*m/s", dimension) + ",simulated_time[s],limit" +
-         components("center_of_mass", "m", dimension);
+  CsvRow row;
+  for (const DiagnosticColumn& column : diagnostic_columns()) {
+    const std::string unit = column.unit.empty() ? "" : fmt::format("[{}]", column.unit);
+    for_each_component(column, {}, dimension, [&](std::string_view suffix, const auto&) {
+      row.add(std::string_view(fmt::format("{}{}{}", column.name, suffix, unit)));
+    });
+  }
+  return row.text();
 }
 
 std::string log_row(const Diagnostics& diagnostics, int dimension) {
   CsvRow row;
-  row.add(diagnostics.time).add(diagnostics.step).add(diagnostics.dt).add(diagnostics.cfl).add(diagnostics.max_speed);
-  row.add(diagnostics.mean_density_error).add(diagnostics.mean_compression).add(diagnostics.max_density_error);
-  row.add(diagnostics.kinetic_energy).add(diagnostics.potential_energy);
-  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis) row.add(diagnostics.momentum[axis]);
-  row.add(diagnostics.simulated_time).add(name_of(diagnostics.limit));
-  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis) {
-    row.add(diagnostics.center_of_mass[axis]);
+  for (const DiagnosticColumn& column : diagnostic_columns()) {
+    for_each_component(column, diagnostics, dimension,
+                       [&](std::string_view /*suffix*/, const auto& value) { row.add(value); });
   }
   return row.text();
 }

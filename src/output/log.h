@@ -22,11 +22,11 @@ class CsvRow {
   std::string text_;
 };
 
-// "time[s],step,dt[s],...": the columns that scripts rely on, then ours. Vectors have x and y in 2D.
+// "time[s],step,dt[s],...": diagnostic_columns(). Vectors have x and y in 2D.
 std::string log_header(int dimension);
 std::string log_row(const Diagnostics& diagnostics, int dimension);
 
-// Each row is on its way to the disk when write() returns: a kill leaves complete rows. Throws OutputError.
+// Each row is passed to the kernel when write() returns: a kill leaves complete rows. Throws OutputError.
 class LogWriter {
  public:
   LogWriter(const std::filesystem::path& file, int dimension);

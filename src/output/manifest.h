@@ -1,4 +1,4 @@
-// manifest.json: what ran, on what, how it ended and what it cost.
+// manifest.json: scene, machine, end and cost of a run.
 #pragma once
 
 #include <cstdint>
@@ -47,7 +47,7 @@ struct Manifest {
 };
 
 void write_manifest(const std::filesystem::path& file, const Manifest& manifest);  // throws OutputError
-// Unknown fields are passed over, missing ones keep their defaults; what is no manifest is an OutputError.
+// Unknown fields are passed over, missing ones keep their defaults. Throws OutputError for any other file.
 Manifest read_manifest(const std::filesystem::path& file);
 
 }  // namespace weir

@@ -35,7 +35,7 @@ void copy_plane(const std::vector<std::uint8_t>& from, int width, int height, st
   av_image_copy_plane(to, stride, from.data(), width, width, height);
 }
 
-// The frame shows this memory, which stays the owner's.
+// The frame refers to this memory without owning it.
 void lend_plane(const std::vector<std::uint8_t>& from, int width, int plane, AVFrame& frame) {
   auto* samples = const_cast<std::uint8_t*>(from.data());
   av_buffer_unref(&frame.buf[plane]);
@@ -67,7 +67,7 @@ class LibavSink final : public MovieSink {
     try {
       if (part_ && !part_->broken()) close_part();
     } catch (const OutputError&) {
-      // What was written before stays readable, and whoever dropped the sink is telling of something worse.
+      // The pictures before stay readable, and the error that ended the sink's life is already being reported.
       part_.reset();
     }
   }
@@ -130,7 +130,7 @@ class LibavSink final : public MovieSink {
   std::unique_ptr<PartMovie> part_;  // null once closed
   std::filesystem::path part_path_;
   Frame frame_;
-  bool lends_;  // libx264 copies what it is given before avcodec_send_frame() returns; others may look at it later
+  bool lends_;  // libx264 copies a frame before avcodec_send_frame() returns; other encoders may read it later
   Packet packet_;
   std::int64_t next_ = 0;  // number of the next picture
 };

@@ -1,4 +1,4 @@
-// What the module weir_movie offers to its loader. Exceptions pass through.
+// The functions of the module weir_movie. Exceptions pass through.
 #pragma once
 
 #include <filesystem>

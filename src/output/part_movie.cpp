@@ -62,7 +62,7 @@ PartMovie::PartMovie(std::filesystem::path file, const AVCodecContext& encoder, 
 }
 
 void PartMovie::add(AVPacket& packet) {
-  packet.duration = 1;  // in the encoder's base; the last picture of a fragment has no successor to tell it
+  packet.duration = 1;  // in the encoder's base; the last picture of a fragment has no successor to give it
   packet.stream_index = 0;
   av_packet_rescale_ts(&packet, time_base_, format_->streams[0]->time_base);
   require(av_write_frame(format_.get(), &packet), "write " + file_.path().string());

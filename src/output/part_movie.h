@@ -22,7 +22,7 @@ class PartMovie {
   ~PartMovie() = default;
 
   void add(AVPacket& packet);              // times in the encoder's base; throws OutputError
-  void close();                            // what was added becomes readable; throws OutputError
+  void close();                            // makes all packets readable; throws OutputError
   bool broken() const { return broken_; }  // the disk refused a fragment: those after it would leave a gap
 
  private:
@@ -33,7 +33,7 @@ class PartMovie {
   void flush();
 
   GrowingFile file_;
-  std::string pending_;  // what libav wrote since the last flush
+  std::string pending_;  // written by libav since the last flush
   std::unique_ptr<AVFormatContext, Close> format_;
   AVRational time_base_;
   int fps_;

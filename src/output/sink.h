@@ -1,4 +1,4 @@
-// Where pictures go. Implementations: PNG files (in the program), a movie (in the module weir_movie).
+// Sinks of pictures: PNG files (in the program), a movie (in the module weir_movie).
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace weir {
 
-// What is written beside the pixels.
+// Facts written beside the pixels.
 struct Provenance {
   std::string scene_sha256;  // of the effective scene's text
   std::string version;
@@ -26,13 +26,13 @@ class MovieSink {
 
   // Pictures come in order, one per frame time. Throws OutputError.
   virtual void write(const MovieImage& image) = 0;
-  // Drains the encoder and turns <name>.part.mp4 into the faststart <name>.mp4. Without it what was written stays
-  // playable in the part file. Throws OutputError.
+  // Drains the encoder and turns <name>.part.mp4 into the faststart <name>.mp4. Without it the part file stays
+  // playable. Throws OutputError.
   virtual void finish() = 0;
   virtual const std::string& encoder() const = 0;
 };
 
-// Loads what make_movie_sink() needs, which takes some 30 ms, in advance. Throws OutputError.
+// Loads the module in advance, which takes some 30 ms. Throws OutputError.
 void load_movies();
 
 // Loads the module. Writes <folder>/<name>.part.mp4 while open. Throws OutputError (no encoder: all that were tried).

@@ -5,14 +5,20 @@
 #include "equations/state.h"
 #include "render/nice_numbers.h"
 #include "render/renderer.h"
+#include "scene/sampling.h"
 
 namespace weir {
 
 namespace {
 
-// What a change of pressure, Pa, is divided by to give the relative change of density: the stiffness of the linear state
-// equation with the same sound speed.
+// Pa; a change of pressure over the relative change of density: the stiffness of the linear state equation with the same
+// sound speed.
 double bulk_modulus(const Scene& scene) { return stiffness_of_state(sound_speed(scene), 1, scene.fluid.rest_density); }
+
+// From 0 to the last of `count` numbers; never empty.
+std::array<double, 2> numbers(std::int64_t count) {
+  return {0, static_cast<double>(std::max<std::int64_t>(count - 1, 1))};
+}
 
 }  // namespace
 
@@ -21,17 +27,23 @@ std::array<double, 2> color_range(const Scene& scene, const StaticScene& static_
   const double speed = static_scene.max_speed_estimate;
   // rho0 g H for a column that collapses from height H with speed sqrt(2 g H).
   const double pressure = dynamic_pressure(scene.fluid.rest_density, speed);
-  switch (scene.render.color.by) {
-    case ColorBy::speed:
+  switch (facts_of(scene.render.color.by).range) {
+    case RangeEstimate::none:
+      break;
+    case RangeEstimate::speed:
       return {0, round_up_nicely(speed)};
-    case ColorBy::pressure:
+    case RangeEstimate::pressure:
       return {0, round_up_nicely(pressure)};
-    case ColorBy::density: {
+    case RangeEstimate::density: {
       const double modulus = bulk_modulus(scene);
       const double strain = modulus > 0 && pressure > 0 ? std::min(pressure / modulus, 1.0) : 0.01;
       const double change = round_up_nicely(scene.fluid.rest_density * strain);
       return {scene.fluid.rest_density - change, scene.fluid.rest_density + change};
     }
+    case RangeEstimate::particle_number:
+      return numbers(count_particles(scene).fluid);
+    case RangeEstimate::volume_number:
+      return numbers(static_cast<std::int64_t>(scene.fluid.volumes.size()));
   }
   return {0, 1};
 }

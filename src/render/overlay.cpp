@@ -20,19 +20,7 @@ bool shows(const Scene& scene, OverlayItem item) {
   return std::find(scene.render.overlay.begin(), scene.render.overlay.end(), item) != scene.render.overlay.end();
 }
 
-std::array<const char*, 2> name_and_unit(ColorBy by) {
-  switch (by) {
-    case ColorBy::speed:
-      return {"Speed", "m/s"};
-    case ColorBy::density:
-      return {"Density", "kg/m³"};
-    case ColorBy::pressure:
-      return {"Pressure", "Pa"};
-  }
-  return {"", ""};
-}
-
-// The mark says it again to whoever does not see the colour.
+// The mark repeats what the colour says, for readers who cannot tell the colours apart.
 std::string cfl_text(double cfl, bool met) { return fmt::format("CFL {:.3f} {}", cfl, met ? "✓" : "✗"); }
 
 }  // namespace
@@ -43,10 +31,10 @@ Overlay::Overlay(const Scene& scene, std::array<double, 2> range)
       map_(colormap(scene.render.color.map)),
       font_(font_dejavu_sans()),
       bold_(font_dejavu_sans_bold()) {
-  const auto [name, unit] = name_and_unit(scene.render.color.by);
-  const DisplayUnit shown = display_unit(unit, std::max(std::abs(range[0]), std::abs(range[1])));
+  const QuantityFacts& facts = facts_of(scene.render.color.by);
+  const DisplayUnit shown = display_unit(typeset(facts.unit), std::max(std::abs(range[0]), std::abs(range[1])));
   range_ = {range[0] * shown.factor, range[1] * shown.factor};
-  quantity_ = fmt::format("{} ({})", name, shown.name);
+  quantity_ = shown.name.empty() ? std::string(facts.label) : fmt::format("{} ({})", facts.label, shown.name);
   const double duration = std::max(scene.duration, 1e-6);
   time_digits_ = std::max(1, static_cast<int>(std::floor(std::log10(duration))) + 1);
   // Milliseconds, or a thousandth of a shorter run.

@@ -63,6 +63,9 @@ std::unique_ptr<Renderer> make_renderer(const Scene& scene, const StaticScene& s
 void draw_on_calling_thread();
 std::vector<DeviceTrial> list_devices();
 
+// What does not move in this scene, from a snapshot of its walls.
+StaticScene make_static_scene(const Scene& scene, SetSnapshot walls);
+
 // The colour range that pictures of this scene use, in the unit of the quantity (fixed, or estimated from the scene).
 std::array<double, 2> color_range(const Scene& scene, const StaticScene& static_scene);
 

@@ -15,23 +15,11 @@ namespace {
 constexpr std::int64_t count = 9;
 constexpr int width = 640;  // pixels of one still; the height follows from the scene's picture
 
-std::string_view unit(ColorBy quantity) {
-  switch (quantity) {
-    case ColorBy::speed:
-      return "m/s";
-    case ColorBy::density:
-      return "kg/m³";
-    case ColorBy::pressure:
-      return "Pa";
-  }
-  return "";
-}
-
 std::string title(const Scene& scene, const StaticScene& static_scene, std::int64_t particles) {
   const auto range = color_range(scene, static_scene);
   const Coloring& color = scene.render.color;
   return fmt::format("{}: {} particles, coloured by {} from {:.4g} to {:.4g} {} ({})", scene.title, particles,
-                     name_of(color.by), range[0], range[1], unit(color.by), name_of(color.map));
+                     name_of(color.by), range[0], range[1], typeset(facts_of(color.by).unit), name_of(color.map));
 }
 
 }  // namespace
@@ -45,7 +33,9 @@ Stills stills_figure(const Scene& dam_break, const ReportOptions& options) {
   for (std::int64_t k = 0; k < count; ++k) wanted.insert((2 * k * last + count - 1) / (2 * (count - 1)));
 
   const std::unique_ptr<Simulation> simulation = make_simulation(scene, options.threads);
-  const StaticScene static_scene = simulation->static_scene();
+  Snapshot snapshot;
+  simulation->fill(snapshot, {.fluid_positions = Precision::none, .wall_positions = Precision::single});
+  const StaticScene static_scene = make_static_scene(scene, std::move(snapshot.walls));
   const std::unique_ptr<Renderer> renderer = make_renderer(scene, static_scene, options.device);
   Stills stills;
   stills.grid.title = title(scene, static_scene, simulation->fluid_particles());
@@ -53,7 +43,8 @@ Stills stills_figure(const Scene& dam_break, const ReportOptions& options) {
   Frame frame;
   while (true) {
     if (wanted.contains(simulation->frame_index())) {
-      simulation->fill(frame);
+      simulation->fill(snapshot, frame_request(scene.render.color.by));
+      make_frame(snapshot, scene.render.color.by, frame);
       Picture picture;
       renderer->draw(frame, picture.image);
       picture.caption = fmt::format("t = {:.3f} s", frame.time);

@@ -5,13 +5,16 @@
 
 #include "core/stopwatch.h"
 #include "core/trace.h"
+#include "run/picture_files.h"
 
 namespace weir {
+
+namespace fs = std::filesystem;
 
 // A thread works for a stage until the end of the block.
 class Pictures::AtWork {
  public:
-  // `name` is the span's, and must live for ever.
+  // `name` is the span's; it is never copied, so it must be a literal.
   AtWork(Pictures& pictures, double PictureTimes::*stage, const char* name)
       : pictures_(pictures), stage_(stage), span_(name) {
     ++pictures_.at_work_;
@@ -36,9 +39,8 @@ Pictures::Pictures(const Scene& scene, const StaticScene& static_scene, std::int
     : scene_(scene) {
   for (const double time : scene.output.stills) stills_.push_back(frame_at(scene, time));
   std::sort(stills_.begin(), stills_.end());
-  const std::int64_t fit =
-      frame_bytes / (static_cast<std::int64_t>(sizeof(glm::vec4)) * std::max<std::int64_t>(particles, 1));
-  for (std::int64_t i = std::clamp(fit, least_frames, most_frames); i > 0; --i) free_frames_.push(Frame{});
+  const std::int64_t fit = snapshot_bytes / (bytes_per_particle * std::max<std::int64_t>(particles, 1));
+  for (std::int64_t i = std::clamp(fit, least_snapshots, most_snapshots); i > 0; --i) free_snapshots_.push(Snapshot{});
 
   draw_on_calling_thread();
   std::promise<std::string> ready;
@@ -58,11 +60,11 @@ Pictures::Pictures(const Scene& scene, const StaticScene& static_scene, std::int
 
 Pictures::~Pictures() { end_threads(); }
 
-void Pictures::open(const RunFolder& folder, const Provenance& provenance, int png_workers) {
-  folder_ = &folder;
+void Pictures::open(const fs::path& folder, const Provenance& provenance, int png_workers) {
+  folder_ = folder;
   provenance_ = provenance;
   if (scene_.output.movie) {
-    movie_ = make_movie_sink(folder.path(), scene_, provenance);
+    movie_ = make_movie_sink(folder, scene_, provenance);
     encoder_ = movie_->encoder();
     for (int i = 0; i < movie_buffers; ++i) free_movie_images_.push(MovieImage{});
     encoding_ = std::thread([this] { encode_movie(); });
@@ -79,9 +81,9 @@ bool Pictures::wants(std::int64_t frame) const {
 }
 
 void Pictures::add(Simulation& simulation) {
-  Frame frame = *free_frames_.pop();
-  simulation.fill(frame);
-  frames_.push(std::move(frame));
+  Snapshot snapshot = *free_snapshots_.pop();
+  simulation.fill(snapshot, frame_request(scene_.render.color.by));
+  snapshots_.push(std::move(snapshot));
 }
 
 void Pictures::finish() {
@@ -92,8 +94,8 @@ void Pictures::finish() {
 
 // Each stage closes its successors once it has passed on everything, so joining in this order loses nothing.
 void Pictures::end_threads() {
-  frames_.close();
-  if (!opened_) {  // nobody takes what is drawn
+  snapshots_.close();
+  if (!opened_) {  // no thread takes drawn images
     free_movie_images_.close();
     free_images_.close();
   }
@@ -109,7 +111,7 @@ void Pictures::fail(std::exception_ptr error) {
   failed_ = true;
 }
 
-// None if there is no device; then whoever waits for it knows why.
+// None if there is no device; `ready` then holds the reason.
 std::unique_ptr<Renderer> Pictures::start_device(const StaticScene& static_scene, const DeviceChoice& device,
                                                  std::promise<std::string> ready) {
   std::unique_ptr<Renderer> renderer;
@@ -127,14 +129,18 @@ std::unique_ptr<Renderer> Pictures::start_device(const StaticScene& static_scene
 
 void Pictures::draw_frames(Renderer& renderer) {
   bool broken = false;
-  while (std::optional<Frame> frame = frames_.pop()) {
+  Frame frame;
+  while (std::optional<Snapshot> snapshot = snapshots_.pop()) {
     try {
-      if (!broken) draw_one(renderer, *frame);
+      if (!broken) {
+        make_frame(*snapshot, scene_.render.color.by, frame);
+        draw_one(renderer, frame);
+      }
     } catch (...) {
       fail(std::current_exception());
       broken = true;
     }
-    free_frames_.put_back(std::move(*frame));
+    free_snapshots_.put_back(std::move(*snapshot));
   }
   try {
     while (!under_way_.empty()) pass_on_movie(renderer);
@@ -162,7 +168,7 @@ void Pictures::draw_movie(Renderer& renderer, const Frame& frame) {
     renderer.start(frame);
   }
   under_way_.push_back(std::move(*image));
-  const std::size_t ahead = frames_.empty() ? 0 : renderer.most_under_way() - 1;
+  const std::size_t ahead = snapshots_.empty() ? 0 : renderer.most_under_way() - 1;
   while (under_way_.size() > ahead) pass_on_movie(renderer);
 }
 
@@ -185,11 +191,11 @@ void Pictures::draw_png(Renderer& renderer, const Frame& frame) {
     renderer.draw(frame, *image);
   }
   const SharedImage shared(image.release(), [this](const Image* done) {
-    free_images_.put_back(std::unique_ptr<Image>(const_cast<Image*>(done)));  // ours alone again
+    free_images_.put_back(std::unique_ptr<Image>(const_cast<Image*>(done)));  // the last reference is gone
   });
-  if (scene_.output.frames) png_jobs_.push({shared, frame.time, folder_->frame_file(frame.index)});
+  if (scene_.output.frames) png_jobs_.push({shared, frame.time, folder_ / frame_file(frame.index)});
   if (std::binary_search(stills_.begin(), stills_.end(), frame.index)) {
-    png_jobs_.push({shared, frame.time, folder_->still_file(frame.index)});
+    png_jobs_.push({shared, frame.time, folder_ / still_file(frame.index)});
   }
 }
 
@@ -214,13 +220,13 @@ void Pictures::encode_movie() {
 }
 
 void Pictures::write_pngs(int worker) {
-  // Names live for ever; there are never more workers.
+  // Literals, as spans need; there are never more workers.
   static constexpr std::array<const char*, most_png_workers> names = {"png 1", "png 2", "png 3", "png 4"};
   Trace::name_thread(names[worker]);
   while (const std::optional<PngJob> job = png_jobs_.pop()) {
     const AtWork work(*this, &PictureTimes::write, "write PNG");
     try {
-      // Once a stage has failed the run is over; what is queued would only delay its end.
+      // Once a stage has failed the run ends; files still queued would only delay its end.
       if (!failed_) write_png(job->file, *job->image, scene_.render.transparent, provenance_, job->time);
     } catch (...) {
       fail(std::current_exception());

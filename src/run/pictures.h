@@ -1,10 +1,10 @@
 // Drawing and encoding beside the solver: one thread draws (and owns the GL context), one encodes the movie, some
-// compress PNG files. What each takes of the machine is known while it works, so that the solver can leave it that much: a
-// loop whose threads share their processors with others waits for the slowest.
+// compress PNG files. They count themselves while they work, so that the solver can leave them as many processors: a loop
+// whose threads share their processors with others waits for the slowest.
 // Frames and images are recycled buffers of fixed number, so a slow stage holds up those before it.
 //
-// A stage that fails keeps emptying its queue without working, so nobody waits for it in vain, and the others finish
-// what they have; the first error reaches the caller in finish().
+// A stage that fails keeps emptying its queue without working, so that no stage waits for it in vain, and the others finish
+// their items; finish() throws the first error.
 #pragma once
 
 #include <array>
@@ -26,7 +26,6 @@
 #include "output/sink.h"
 #include "render/renderer.h"
 #include "run/queue.h"
-#include "run/run_folder.h"
 #include "sph/simulation.h"
 
 namespace weir {
@@ -41,25 +40,25 @@ class Pictures {
  public:
   static constexpr int most_png_workers = 4;  // beyond that the solver starves
 
-  // Starts the drawing thread and makes the renderer on it, from what must live until await_device() returns. Frames will
-  // have so many particles.
+  // Starts the drawing thread and makes the renderer on it. The arguments live until await_device() returns; `particles`
+  // are those of a snapshot.
   Pictures(const Scene& scene, const StaticScene& static_scene, std::int64_t particles, const DeviceChoice& device);
   ~Pictures();
   Pictures(const Pictures&) = delete;
   Pictures& operator=(const Pictures&) = delete;
 
-  // Until the device has started, or failed to, frames may be added: they wait.
+  // Until the device has started, or failed to, snapshots wait in the queue.
   bool device_starts() const { return made_.wait_for(std::chrono::seconds(0)) != std::future_status::ready; }
   // Throws DeviceError.
   void await_device() { gl_renderer_ = made_.get(); }
   // Starts to write; the folder is there. Throws OutputError.
-  void open(const RunFolder& folder, const Provenance& provenance, int png_workers);
+  void open(const std::filesystem::path& folder, const Provenance& provenance, int png_workers);
 
   bool wants(std::int64_t frame) const;
-  bool has_room() const { return !free_frames_.empty(); }  // add() would not wait
-  // Copies the simulation's frame and queues it; waits while all buffers are in use.
+  bool has_room() const { return !free_snapshots_.empty(); }  // add() would not wait
+  // Queues a snapshot of the simulation; waits while all buffers are in use.
   void add(Simulation& simulation);
-  // A stage has failed: no picture will be added to what is there.
+  // A stage has failed: no further picture will be written.
   bool failed() const { return failed_; }
   // How many threads draw, encode or compress at this moment.
   const std::atomic<int>& at_work() const { return at_work_; }
@@ -79,11 +78,12 @@ class Pictures {
     double time = 0;  // s
     std::filesystem::path file;
   };
-  // Frames in flight: one being drawn, one waiting, one being filled. Of few particles more, for those that wait while the
-  // device starts and shaders are compiled.
-  static constexpr std::int64_t least_frames = 3;
-  static constexpr std::int64_t most_frames = 8;
-  static constexpr std::int64_t frame_bytes = 32 << 20;  // of all of them, beyond the least
+  // Snapshots in flight: one being drawn, one waiting, one being filled. Small ones may be more, since several wait while
+  // the device starts and shaders are compiled.
+  static constexpr std::int64_t least_snapshots = 3;
+  static constexpr std::int64_t most_snapshots = 8;
+  static constexpr std::int64_t snapshot_bytes = 32 << 20;  // of all of them, beyond the least
+  static constexpr std::int64_t bytes_per_particle = sizeof(glm::vec3) + sizeof(float);
   // Movie pictures: one being read, one encoded, one waiting.
   static constexpr int movie_buffers = 3;
   // Images beyond those that the PNG workers hold: one being drawn, one waiting.
@@ -103,7 +103,7 @@ class Pictures {
 
   const Scene& scene_;
   std::vector<std::int64_t> stills_;  // frame numbers, ascending
-  const RunFolder* folder_ = nullptr;
+  std::filesystem::path folder_;
   bool opened_ = false;
   Provenance provenance_;
   std::future<std::string> made_;
@@ -111,11 +111,11 @@ class Pictures {
   std::string encoder_;
   std::unique_ptr<MovieSink> movie_;
 
-  // Pools before queues: what a queue still holds returns to its pool.
+  // Pools before queues: items left in a queue return to its pool.
   Queue<std::unique_ptr<Image>> free_images_;
   Queue<MovieImage> free_movie_images_;
-  Queue<Frame> free_frames_;
-  Queue<Frame> frames_;
+  Queue<Snapshot> free_snapshots_;
+  Queue<Snapshot> snapshots_;
   Queue<MovieImage> movie_images_;
   Queue<PngJob> png_jobs_;
 
@@ -126,7 +126,7 @@ class Pictures {
   PictureTimes times_;
   std::atomic<std::int64_t> drawn_ = 0;
 
-  std::deque<MovieImage> under_way_;  // for those begun and not yet read; the drawing thread's own
+  std::deque<MovieImage> under_way_;  // begun and not yet read; of the drawing thread alone
 
   std::thread drawing_;
   std::thread encoding_;

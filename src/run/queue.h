@@ -9,8 +9,8 @@
 
 namespace weir {
 
-// First in, first out, between threads. It has no limit of its own: what travels through it are buffers from a pool of
-// fixed size, which is another queue, so a stage that falls behind stops its predecessor at the pool.
+// First in, first out, between threads. It has no limit of its own: its items are buffers from a pool of fixed size, which
+// is another queue, so a stage that falls behind stops its predecessor at the pool.
 template <class T>
 class Queue {
  public:

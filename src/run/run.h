@@ -30,7 +30,7 @@ struct RunOptions {
   std::optional<InstructionSet> instruction_set;  // none: default_instruction_set()
   bool trace = false;                             // write where the time went
   bool force = false;                             // overwrite another run
-  bool checked = false;                           // the scene comes from read_scene(), which has judged it
+  bool checked = false;                           // the scene comes from read_scene(), which has checked it
   double max_wall_time = 0;                       // s; 0: none
   DeviceChoice device;
   std::function<void(const Progress&)> progress;    // about ten times a second, on the solver's thread
@@ -40,13 +40,13 @@ struct RunOptions {
 
 struct RunResult {
   ExitCode exit = ExitCode::done;
-  std::string message;  // what went wrong, or what was written
+  std::string message;  // the error, or the files written
   std::filesystem::path folder;
-  bool was_there = false;  // the identical finished run already stood in the folder
+  bool was_there = false;  // the folder already held the identical finished run
 };
 
 // Throws SceneError, UsageError (folder holds a different run), DeviceError and OutputError before anything is written;
-// later trouble comes back in the result, with movie, log and manifest closed and readable.
+// later errors are in the result, with movie, log and manifest closed and readable.
 RunResult run(const Scene& scene, const RunOptions& options);
 
 }  // namespace weir

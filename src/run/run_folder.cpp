@@ -7,13 +7,15 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cmath>
+#include <set>
 #include <string_view>
 #include <system_error>
 
 #include "core/error.h"
 #include "output/file.h"
 #include "output/manifest.h"
+#include "run/left_files.h"
+#include "run/outputs.h"
 #include "scene/reader.h"
 
 namespace weir {
@@ -22,44 +24,21 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The first line of every scene.yaml in a run folder. What lacks it is a file of the user's and is never touched.
+// The first line of every scene.yaml in a run folder. A file without it is the user's and is never touched.
 constexpr std::string_view mark = "# The effective scene of a run of weir, all defaults filled in.\n";
-
-bool stands(const fs::path& file) {
-  std::error_code unknown;
-  return fs::exists(fs::symlink_status(file, unknown));
-}
-
-// Whether a name is `prefix`, five digits or more, and ".png".
-bool is_numbered_png(std::string_view name, std::string_view prefix) {
-  constexpr std::string_view suffix = ".png";
-  if (!name.starts_with(prefix) || !name.ends_with(suffix)) return false;
-  name.remove_prefix(prefix.size());
-  name.remove_suffix(std::min(suffix.size(), name.size()));
-  return name.size() >= 5 && name.find_first_not_of("0123456789") == std::string_view::npos;
-}
-
-void append_numbered_pngs(const fs::path& folder, std::string_view prefix, std::vector<fs::path>& files) {
-  std::error_code missing;
-  for (fs::directory_iterator entry(folder, missing), end; !missing && entry != end; entry.increment(missing)) {
-    if (is_numbered_png(entry->path().filename().string(), prefix)) files.push_back(entry->path());
-  }
-}
 
 }  // namespace
 
 std::optional<Manifest> past_run(const fs::path& manifest_file) {
-  if (!stands(manifest_file)) return std::nullopt;
+  if (!path_exists(manifest_file)) return std::nullopt;
   try {
     return read_manifest(manifest_file);
   } catch (const OutputError&) {
-    return std::nullopt;  // whatever it is, no run that could be known again
+    return std::nullopt;  // it cannot identify a run
   }
 }
 
 std::string effective_scene_text(const Scene& scene) { return std::string(mark) + write_scene(scene); }
-
-std::int64_t frame_at(const Scene& scene, double time) { return std::llround(time * scene.render.fps); }
 
 RunFolder::RunFolder(fs::path folder, const Scene& scene) : folder_(std::move(folder)), scene_(scene) {}
 
@@ -67,24 +46,22 @@ RunFolder::~RunFolder() {
   if (lock_ >= 0) close(lock_);
 }
 
-fs::path RunFolder::movie_file() const { return folder_ / (scene_.name + ".mp4"); }
-
-fs::path RunFolder::frame_file(std::int64_t frame) const {
-  return folder_ / "frames" / fmt::format("frame_{:05}.png", frame);
-}
-
-fs::path RunFolder::still_file(std::int64_t frame) const {
-  return folder_ / "stills" / fmt::format("still_{:05}.png", frame);
-}
-
-std::vector<fs::path> RunFolder::products() const {
-  std::vector<fs::path> files{scene_file(), log_file()};
-  if (scene_.output.movie) files.push_back(movie_file());
-  if (scene_.output.frames) {
-    for (std::int64_t frame = 0; frame <= last_frame(scene_); ++frame) files.push_back(frame_file(frame));
+std::vector<fs::path> RunFolder::files_of_outputs() const {
+  std::vector<fs::path> files;
+  for (const OutputKind& kind : output_kinds()) {
+    for (const fs::path& file : kind.files(scene_)) files.push_back(file);
   }
-  for (const double time : scene_.output.stills) files.push_back(still_file(frame_at(scene_, time)));
   return files;
+}
+
+std::vector<std::string> RunFolder::top_names_of_outputs() const {
+  std::vector<std::string> names;
+  for (const fs::path& file : files_of_outputs()) {
+    std::string name = file.begin()->string();
+    if (file.has_parent_path()) name += '/';
+    if (names.empty() || names.back() != name) names.push_back(std::move(name));
+  }
+  return names;
 }
 
 bool RunFolder::holds_finished(const Provenance& provenance) const {
@@ -93,32 +70,23 @@ bool RunFolder::holds_finished(const Provenance& provenance) const {
       past->scene_sha256 != provenance.scene_sha256) {
     return false;
   }
-  for (const fs::path& file : products()) {
-    if (!stands(file)) return false;
-  }
-  return true;
+  const std::vector<fs::path> files = files_of_outputs();
+  return path_exists(scene_file()) &&
+         std::all_of(files.begin(), files.end(), [this](const fs::path& file) { return path_exists(folder_ / file); });
 }
 
 std::vector<fs::path> RunFolder::files_of_runs() const {
-  std::vector<fs::path> files;
-  const auto append_existing = [&files](const fs::path& file) {
-    if (stands(file)) files.push_back(file);
-  };
-  append_existing(manifest_file());
-  append_existing(scene_file());
-  append_existing(log_file());
-  append_existing(trace_file());
-  append_existing(movie_file());
-  append_existing(folder_ / (scene_.name + ".part.mp4"));
-  append_numbered_pngs(folder_ / "frames", "frame_", files);
-  append_numbered_pngs(folder_ / "stills", "still_", files);
+  std::vector<fs::path> files = existing({manifest_file(), scene_file(), trace_file()});
+  for (const OutputKind& kind : output_kinds()) {
+    for (const fs::path& file : kind.left_in(folder_, scene_)) files.push_back(file);
+  }
   return files;
 }
 
 void RunFolder::refuse_other_run(bool force) const {
   const std::vector<fs::path> files = files_of_runs();
   if (files.empty()) return;
-  if (stands(scene_file()) && !read_file(scene_file()).starts_with(mark)) {
+  if (path_exists(scene_file()) && !read_file(scene_file()).starts_with(mark)) {
     throw UsageError(fmt::format("{} was not written by weir and would be overwritten: choose another folder with -o",
                                  scene_file().string()));
   }
@@ -131,7 +99,8 @@ void RunFolder::refuse_other_run(bool force) const {
 void RunFolder::make(const fs::path& folder) {
   std::error_code failed;
   if (folder.empty() || fs::is_directory(folder, failed)) return;
-  if (stands(folder)) throw OutputError(fmt::format("cannot make folder {}: a file is there", folder.string()));
+  if (path_exists(folder))
+    throw OutputError(fmt::format("cannot make folder {}: a file of that name exists", folder.string()));
   make(folder.parent_path());
   if (!fs::create_directory(folder, failed) && failed) {
     throw OutputError(fmt::format("cannot make folder {}: {}", folder.string(), failed.message()));
@@ -158,13 +127,16 @@ void RunFolder::prepare() {
     fs::remove(file, failed);
     if (failed) throw OutputError(fmt::format("cannot remove {}: {}", file.string(), failed.message()));
   }
-  if (scene_.output.frames) make(folder_ / "frames");
-  if (!scene_.output.stills.empty()) make(folder_ / "stills");
+  std::set<fs::path> folders;
+  for (const fs::path& file : files_of_outputs()) folders.insert(file.parent_path());
+  for (const fs::path& folder : folders) {
+    if (!folder.empty()) make(folder_ / folder);
+  }
 }
 
 void RunFolder::withdraw() {
   if (lock_ < 0) return;        // prepare() left all as it was
-  std::error_code not_removed;  // the trouble that led here is the one to tell
+  std::error_code not_removed;  // the error that led here is the one to report
   for (const fs::path& file : files_of_runs()) fs::remove(file, not_removed);
   for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) fs::remove(*folder, not_removed);
 }

@@ -1,4 +1,4 @@
-// The folder that a run writes: which file is where, and whose files stand there already.
+// The folder that a run writes: its files, and those of earlier runs that it may replace.
 #pragma once
 
 #include <cstdint>
@@ -29,36 +29,31 @@ class RunFolder {
   const std::filesystem::path& path() const { return folder_; }
   std::filesystem::path scene_file() const { return folder_ / "scene.yaml"; }
   std::filesystem::path manifest_file() const { return folder_ / "manifest.json"; }
-  std::filesystem::path log_file() const { return folder_ / "log.csv"; }
   std::filesystem::path trace_file() const { return folder_ / "trace.json"; }
-  std::filesystem::path movie_file() const;
-  std::filesystem::path frame_file(std::int64_t frame) const;
-  std::filesystem::path still_file(std::int64_t frame) const;
+  // Files and folders of the outputs that the scene asks for: "dam_break.mp4", "frames/".
+  std::vector<std::string> top_names_of_outputs() const;
 
-  // The run of this scene by this version stands here, ended well, and none of its files is missing.
+  // The run of this scene by this version is here, ended without error, and lacks none of its files.
   bool holds_finished(const Provenance& provenance) const;
-  // Throws UsageError if files of a run stand here that may not be overwritten.
+  // Throws UsageError if the folder holds files of a run that may not be overwritten.
   void refuse_other_run(bool force) const;
 
-  // Makes the folder and those below it, takes it for this run, and removes what an earlier run wrote, never anything
-  // else. Throws OutputError, and UsageError when another process is writing a run here at this moment.
+  // Makes the folder and those below it, locks it for this run, and removes the files of an earlier run, never anything
+  // else. Throws OutputError, and UsageError while another process is writing a run here.
   void prepare();
   // After prepare(), when the run cannot begin: removes its files and the folders that prepare() made.
   void withdraw();
 
  private:
-  std::vector<std::filesystem::path> files_of_runs() const;
-  std::vector<std::filesystem::path> products() const;
+  std::vector<std::filesystem::path> files_of_runs() const;     // that exist
+  std::vector<std::filesystem::path> files_of_outputs() const;  // of this run, by their paths in the folder
   void make(const std::filesystem::path& folder);
   void lock();
 
   std::filesystem::path folder_;
   const Scene& scene_;
   std::vector<std::filesystem::path> made_;
-  int lock_ = -1;  // descriptor of the folder while it is ours; the kernel lets go of it when the process ends
+  int lock_ = -1;  // descriptor of the locked folder; the kernel unlocks it when the process ends
 };
-
-// Index of the frame at `time` s of run time.
-std::int64_t frame_at(const Scene& scene, double time);
 
 }  // namespace weir

@@ -361,11 +361,13 @@ void describe(V& v, Camera& camera) {
 
 template <class V>
 void describe(V& v, Coloring& color) {
-  v.field("by", color.by, Spec{.meaning = "quantity that colours the fluid"});
+  v.field("by", color.by,
+          Spec{.meaning = "quantity that colours the fluid; id and volume number its particles and volumes from 0"});
   v.field("map", color.map, Spec{.meaning = "colour map"});
-  v.field("range", AutoRange{color.range},
-          Spec{.meaning = "ends of the colour map, in the quantity's unit (m/s, kg/m^3, Pa); auto: estimated from the "
-                          "scene, never changed"});
+  v.field(
+      "range", AutoRange{color.range},
+      Spec{.meaning = "ends of the colour map, in the SI unit of the quantity; auto: estimated from the scene, never "
+                      "changed"});
 }
 
 template <class V>

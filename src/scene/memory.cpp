@@ -64,8 +64,8 @@ double bytes_per_particle(const Scene& scene) {
   const double listed =
       std::numbers::pi * (d == 2 ? reach * reach : 4.0 / 3.0 * reach * reach * reach);  // particles, itself among them
   const double lists = (d == 2 ? 1.2 : 0.9) * listed;
-  // Pictures: 16 bytes in each of three frames and in the copy that is drawn from.
-  const double pictures = draws(scene) ? 4 * 16 : 0;
+  // Pictures: 16 bytes in each of three snapshots, in the frame made of one and in the copy that is drawn from.
+  const double pictures = draws(scene) ? 5 * 16 : 0;
   return state + lists + pictures;
 }
 

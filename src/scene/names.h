@@ -2,6 +2,7 @@
 // they are refused by name.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -89,10 +90,19 @@ struct Names<WallPressure> {
       {{WallPressure::mirrored, "mirrored"}, {WallPressure::extrapolated, "extrapolated"}}};
   static constexpr Later<0> later{};
 };
+// Those that can colour.
 template <>
-struct Names<ColorBy> {
-  static constexpr std::array<Name<ColorBy>, 3> built{
-      {{ColorBy::speed, "speed"}, {ColorBy::density, "density"}, {ColorBy::pressure, "pressure"}}};
+struct Names<Quantity> {
+  static constexpr std::size_t count = static_cast<std::size_t>(
+      std::count_if(quantities.begin(), quantities.end(), [](const QuantityFacts& facts) { return facts.colours(); }));
+  static constexpr std::array<Name<Quantity>, count> built = [] {
+    std::array<Name<Quantity>, count> names{};
+    auto next = names.begin();
+    for (const QuantityFacts& facts : quantities) {
+      if (facts.colours()) *next++ = {facts.quantity, facts.name};
+    }
+    return names;
+  }();
   static constexpr Later<0> later{};
 };
 template <>

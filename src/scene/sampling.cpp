@@ -115,6 +115,7 @@ Sampling sample(const Scene& scene) {
       sampling.fluid_positions.push_back(period.wrapped(point));
       sampling.fluid_velocities.push_back(initial_velocity(volume, point, center));
     });
+    sampling.volume_ends.push_back(static_cast<std::int32_t>(sampling.fluid_positions.size()));
   }
   const bool slides =
       std::any_of(scene.walls.begin(), scene.walls.end(), [](const Wall& wall) { return wall.slide != Vec3(0); });

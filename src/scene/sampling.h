@@ -10,10 +10,11 @@ namespace weir {
 
 // In the order of the scene's volumes and walls; that order gives the particle ids.
 struct Sampling {
-  std::vector<Vec3> fluid_positions;   // m; the first lies dx/2 inside the faces
-  std::vector<Vec3> fluid_velocities;  // m/s, same length
-  std::vector<Vec3> wall_positions;    // m; the first layer lies dx/2 behind the faces, nearest first does not matter
-  std::vector<Vec3> wall_slides;       // m/s, same length; none where no wall slides
+  std::vector<Vec3> fluid_positions;      // m; the first lies dx/2 inside the faces
+  std::vector<Vec3> fluid_velocities;     // m/s, same length
+  std::vector<std::int32_t> volume_ends;  // of each volume, one more than its last particle's id
+  std::vector<Vec3> wall_positions;  // m; the first layer lies dx/2 behind the faces, nearest first does not matter
+  std::vector<Vec3> wall_slides;     // m/s, same length; none where no wall slides
 };
 Sampling sample(const Scene& scene);
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/types.h"
+#include "frame/quantities.h"
 
 namespace weir {
 
@@ -200,10 +201,9 @@ struct Camera {
   std::vector<CameraKeyframe> keyframes;  // with any, `view` is unused; smooth in between, still before and after
 };
 
-enum class ColorBy { speed, density, pressure };
 enum class ColormapName { viridis, cividis, magma, turbo, coolwarm };
 struct Coloring {
-  ColorBy by = ColorBy::speed;
+  Quantity by = Quantity::speed;
   ColormapName map = ColormapName::viridis;
   std::optional<std::array<double, 2>> range;  // in the quantity's unit; none: estimated from the scene before frame 0
 };

@@ -7,16 +7,14 @@
 #include <stdexcept>
 
 #include "core/error.h"
-#include "core/parallel.h"
 #include "core/sha256.h"
 #include "core/stopwatch.h"
 #include "core/trace.h"
-#include "equations/density.h"
-#include "equations/energy.h"
-#include "equations/state.h"
 #include "equations/time_step.h"
 #include "scene/origin.h"
 #include "sph/clock.h"
+#include "sph/fill_snapshot.h"
+#include "sph/particle_sums.h"
 #include "sph/solver.h"
 #include "sph/timeline.h"
 
@@ -31,7 +29,8 @@ class SimulationIn final : public Simulation {
       : origin_(scene_origin(scene)),
         scene_(relative_to(scene, origin_)),
         pool_(thread_count(threads)),
-        sampling_(sample(scene)),
+        sampling_(sample(scene_)),
+        volume_ends_(sampling_.volume_ends),
         clock_(scene_),
         timeline_(scene_),
         solver_(make_solver<Dim>(scene_, sampling_, pool_, instruction_set)),
@@ -68,112 +67,17 @@ class SimulationIn final : public Simulation {
     follow_timeline();
   }
 
-  void fill(Frame& frame) override {
-    frame.index = clock_.frame_index();
-    frame.time = clock_.time();
-    frame.simulated_time = simulated_time_;
-    frame.dt = dt_;
-    frame.cfl = cfl_number(dt_, solver_->max_speed(), solver_->smoothing_length());
-    frame.cfl_met = frame.cfl <= cfl_factor();
-    const ColorBy by = scene_.render.color.by;
-    if (by != ColorBy::speed) refresh();
-    frame.particles.resize(solver_->fluid().count);
-    const ParticleSet<Dim>& fluid = solver_->fluid();
-    const auto show = [&](std::size_t slot) {
-      const Vec<Dim, double> x = fluid.position(slot);
-      glm::vec4 shown(0);
-      for (int d = 0; d < Dim; ++d) shown[d] = static_cast<float>(x[d]);
-      switch (by) {
-        case ColorBy::speed: {
-          const Vec<Dim> v = fluid.vector_at(solver_->velocity(), slot);
-          shown.w = std::sqrt(dot(v, v));
-          break;
-        }
-        case ColorBy::density:
-          shown.w = solver_->density().at(slot);
-          break;
-        case ColorBy::pressure:
-          shown.w = static_cast<float>(solver_->pressure_at(slot));
-          break;
-      }
-      return shown;
-    };
-    // Slots without the empty ones: each block writes from where the blocks before it end.
-    std::vector<std::size_t> first(block_count(fluid.slots()) + 1);
-    for (std::size_t slot = 0; slot < fluid.slots(); ++slot) {
-      if (!fluid.empty(slot)) ++first[slot / block_size + 1];
-    }
-    for (std::size_t block = 1; block < first.size(); ++block) first[block] += first[block - 1];
-    parallel_blocks(fluid.slots(), pool_, [&](std::size_t block, std::size_t begin, std::size_t end) {
-      std::size_t place = first[block];
-      for (std::size_t slot = begin; slot < end; ++slot) {
-        if (!fluid.empty(slot)) frame.particles[place++] = show(slot);
-      }
-    });
-  }
-
-  StaticScene static_scene() const override {
-    StaticScene still;
-    still.particle_spacing = scene_.particle_spacing;
-    still.max_speed_estimate = max_speed_estimate(scene_);
-    const ParticleSet<Dim>& walls = solver_->walls();
-    for (std::size_t slot = 0; slot < walls.slots(); ++slot) {
-      if (walls.empty(slot)) continue;
-      const Vec<Dim, double> x = walls.position(slot);
-      glm::vec3 shown(0);
-      for (int d = 0; d < Dim; ++d) shown[d] = static_cast<float>(x[d]);
-      still.walls.push_back(shown);
-    }
-    return still;
+  void fill(Snapshot& snapshot, const SnapshotRequest& request) override {
+    if (request.needs_recomputed()) refresh();
+    static_cast<Instant&>(snapshot) = instant();
+    fill_fluid(FieldSources<Dim>{*solver_, volume_ends_}, request, pool_, snapshot.fluid);
+    fill_walls(*solver_, request.wall_positions, pool_, snapshot.walls);
   }
 
   Diagnostics diagnostics() override {
     refresh();
     const Span span("diagnostics");
-    const ParticleSet<Dim>& fluid = solver_->fluid();
-    const double m = solver_->particle_mass();
-    const auto g = from_scene<Dim, double>(timeline_.state().gravity);
-    const double rho0 = scene_.fluid.rest_density;
-
-    const auto origin = from_scene<Dim, double>(origin_);
-    const Vec<Dim, double> period = solver_->search().lattice().periodic().length;
-
-    struct Sums {
-      double error = 0, compression = 0, max_compression = 0, kinetic = 0, potential = 0;
-      Vec<Dim, double> momentum{}, center{};
-    };
-    const Sums sums = parallel_reduce(
-        fluid.slots(), pool_, Sums{},
-        [&](std::size_t begin, std::size_t end) {
-          Sums block;
-          for (std::size_t slot = begin; slot < end; ++slot) {
-            if (fluid.empty(slot)) continue;
-            const double error = density_error(static_cast<double>(solver_->density().at(slot)), rho0);
-            const auto v = convert<double>(fluid.vector_at(solver_->velocity(), slot));
-            const Vec<Dim, double> x = origin + fluid.unwrapped_position(slot, period);
-            block.error += error;
-            block.compression += positive_part(error);
-            block.max_compression = std::max(block.max_compression, error);
-            block.kinetic += kinetic_energy(m, v);
-            block.potential += potential_energy(m, g, x);
-            block.momentum += m * v;
-            block.center += x;
-          }
-          return block;
-        },
-        [](Sums a, const Sums& b) {
-          a.error += b.error;
-          a.compression += b.compression;
-          a.max_compression = std::max(a.max_compression, b.max_compression);
-          a.kinetic += b.kinetic;
-          a.potential += b.potential;
-          a.momentum += b.momentum;
-          a.center += b.center;
-          return a;
-        });
-
-    const double n = static_cast<double>(std::max<std::size_t>(fluid.count, 1));
-    Diagnostics row;
+    Diagnostics row = sum_of_particles(*solver_, scene_, timeline_.state().gravity, origin_, pool_);
     row.time = clock_.time();
     row.simulated_time = simulated_time_;
     row.step = steps_;
@@ -181,15 +85,6 @@ class SimulationIn final : public Simulation {
     row.limit = limit_;
     row.max_speed = solver_->max_speed();
     row.cfl = cfl_number(dt_, row.max_speed, solver_->smoothing_length());
-    row.mean_density_error = sums.error / n;
-    row.mean_compression = sums.compression / n;
-    row.max_density_error = sums.max_compression;
-    row.kinetic_energy = sums.kinetic;
-    row.potential_energy = sums.potential;
-    for (int d = 0; d < Dim; ++d) {
-      row.momentum[d] = sums.momentum[d];
-      row.center_of_mass[d] = sums.center[d] / n;
-    }
     return row;
   }
 
@@ -213,6 +108,13 @@ class SimulationIn final : public Simulation {
   InstructionSet instruction_set() const override { return solver_->instruction_set(); }
 
  private:
+  Instant instant() const {
+    Instant now{.index = clock_.frame_index(), .time = clock_.time(), .simulated_time = simulated_time_, .dt = dt_};
+    now.cfl = cfl_number(dt_, solver_->max_speed(), solver_->smoothing_length());
+    now.cfl_met = now.cfl <= cfl_factor();
+    return now;
+  }
+
   // Runs `work`, which may update neighbours, and books its time.
   template <class Work>
   auto timed(const Work& work) {
@@ -268,6 +170,7 @@ class SimulationIn final : public Simulation {
   const Scene scene_;  // its positions count from there
   ThreadPool pool_;
   Sampling sampling_;
+  std::vector<std::int32_t> volume_ends_;
   Clock clock_;
   Timeline timeline_;
   std::unique_ptr<SphSolver<Dim>> solver_;

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "frame/diagnostics.h"
-#include "frame/frame.h"
+#include "frame/snapshot.h"
 #include "scene/sampling.h"
 #include "scene/scene.h"
 #include "simd/instruction_set.h"
@@ -47,12 +47,12 @@ class Simulation {
   virtual std::int64_t fluid_particles() const = 0;
   virtual std::int64_t wall_particles() const = 0;
 
-  virtual StaticScene static_scene() const = 0;
-  // These two work out densities where the last step has left them behind; the state they never change.
-  virtual void fill(Frame& frame) = 0;
+  // Both first update stale densities and pressures that they read. Neither changes positions or velocities.
+  // The snapshot's memory is reused.
+  virtual void fill(Snapshot& snapshot, const SnapshotRequest& request) = 0;
   virtual Diagnostics diagnostics() = 0;
-  virtual std::string state_hash()
-      const = 0;  // SHA-256 of position and velocity bits of all fluid particles in id order
+  // SHA-256 of position and velocity bits of all fluid particles in id order.
+  virtual std::string state_hash() const = 0;
   virtual StageTimes stage_times() const = 0;
   virtual InstructionSet instruction_set() const = 0;
 };

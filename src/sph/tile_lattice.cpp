@@ -63,6 +63,15 @@ Vec<Dim, double> TileLattice<Dim>::center(const TileCoordinates<Dim>& tile) cons
 }
 
 template <int Dim>
+Vec<Dim, double> TileLattice<Dim>::in_domain(Vec<Dim, double> point) const {
+  for (int d = 0; d < Dim; ++d) {
+    if (!periodic_.along(d)) continue;
+    point[d] -= std::floor((point[d] - periodic_.start[d]) / periodic_.length[d]) * periodic_.length[d];
+  }
+  return point;
+}
+
+template <int Dim>
 TileCoordinates<Dim> TileLattice<Dim>::wrapped(TileCoordinates<Dim> tile) const {
   for (int d = 0; d < Dim; ++d) {
     if (periodic_.along(d)) tile[d] = (tile[d] + tiles_[d]) % tiles_[d];

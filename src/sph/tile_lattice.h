@@ -61,6 +61,8 @@ class TileLattice {
   // Periodic axes wrap. Throws std::range_error for a point farther than 2^20 tiles from the origin, or not finite.
   TileCoordinates<Dim> tile_at(const Vec<Dim, double>& point) const;
   Vec<Dim, double> center(const TileCoordinates<Dim>& tile) const;
+  // The image of a point that lies in the domain; a particle may be somewhat outside until it is sorted.
+  Vec<Dim, double> in_domain(Vec<Dim, double> point) const;
   // The coordinates after a step from tile to tile.
   TileCoordinates<Dim> wrapped(TileCoordinates<Dim> tile) const;
   // Replaces a distance from a tile's centre by that of the nearest image. Returns how many lengths were taken off.

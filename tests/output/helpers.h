@@ -38,7 +38,7 @@ inline Image flat(int width, int height, std::array<int, 4> rgba) {
   return image;
 }
 
-// Picture number k of a row that can be told apart after any encoder: its grey level.
+// Picture number k of a series, recognised after any encoder by its grey level.
 inline int grey_of(std::int64_t k) { return static_cast<int>(20 + 40 * (k % 6)); }
 inline MovieImage numbered(int width, int height, std::int64_t k) {
   return movie_image(flat(width, height, {grey_of(k), grey_of(k), grey_of(k), 255}));

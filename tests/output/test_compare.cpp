@@ -58,7 +58,7 @@ const ComparisonItem& item(const ComparisonResult& result, const std::string& na
   throw std::runtime_error("no item " + name);
 }
 
-TEST(PictureDifferences, AreWhatTheyAreByHand) {
+TEST(PictureDifferences, EqualThoseComputedByHand) {
   const Image a = flat(10, 10, {100, 100, 100, 255});
   Image b = a;
   b.pixel(3, 4)[0] = 110;  // 10 up
@@ -165,7 +165,7 @@ TEST_F(Compare, MoviesOfOtherLengthSizeOrRateDiffer) {
   EXPECT_THAT(text("faster"), HasSubstr("10 against 20 frames a second"));
 }
 
-TEST_F(Compare, RunFoldersByAllTheyHold) {
+TEST_F(Compare, RunFoldersByEveryFile) {
   for (const char* name : {"a", "b"}) {
     run_folder(name, "h1", "time[s],step\n0,0\n0.01,3\n");
     movie(name, {50, 100}, 64, 10, name);  // a movie named after its scene
@@ -188,7 +188,7 @@ TEST_F(Compare, RunFoldersByAllTheyHold) {
             "2 and 2 rows, apart from row 2 on; most in step: 1, which is 0.25 of its largest value");
 }
 
-TEST_F(Compare, AToleranceOfPixelsForgivesTheNumbersBehindThem) {
+TEST_F(Compare, AToleranceOfPixelsCoversStateHashAndLog) {
   for (const char* name : {"a", "b"}) {
     run_folder(name, name, std::string("time[s]\n0\n") + name + '\n');
     png(std::string(name) + "/still.png", flat(4, 4, {1, 2, *name == 'a' ? 3 : 4, 255}));
@@ -212,7 +212,7 @@ TEST_F(Compare, LogsOfOtherColumnsOrLengthDiffer) {
   EXPECT_EQ(item(longer, "log.csv").text, "1 and 2 rows");
 }
 
-TEST_F(Compare, IsToldToProgramsAsJson) {
+TEST_F(Compare, IsWrittenAsJson) {
   Image other = flat(10, 10, {100, 100, 100, 255});
   const auto a = png("a.png", other);
   other.pixel(1, 1)[0] = 103;
@@ -226,7 +226,7 @@ TEST_F(Compare, IsToldToProgramsAsJson) {
   EXPECT_TRUE(nlohmann::json::parse(compare(a, a, {}).json())["items"][0]["psnr_db"].is_null());
 }
 
-TEST_F(Compare, RefusesWhatCannotBeCompared) {
+TEST_F(Compare, RefusesFilesThatCannotBeCompared) {
   const auto a = png("a.png", flat(4, 4, {1, 2, 3, 255}));
   std::filesystem::create_directories(folder / "empty");
   std::ofstream(folder / "a.txt") << "text";

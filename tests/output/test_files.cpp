@@ -31,7 +31,7 @@ TEST_F(File, StaysAsItWasWhenTheDiskIsFull) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
 }
 
-TEST_F(File, NamesWhatIsInTheWay) {
+TEST_F(File, NamesThePathThatBlocksIt) {
   EXPECT_EQ(error_text<OutputError>([&] { write_file(folder / "no" / "a", ""); }),
             "cannot write " + (folder / "no" / "a").string() + ": No such file or directory");
   write_file(folder / "file", "");
@@ -44,7 +44,7 @@ TEST_F(File, NamesWhatIsInTheWay) {
   EXPECT_THAT(error_text<OutputError>([&] { read_file(folder); }), HasSubstr("Is a directory"));
 }
 
-TEST_F(File, OnAFullDeviceIsToldWithTheWayOut) {
+TEST_F(File, OnAFullDeviceIsReportedWithARemedy) {
   GrowingFile full("/dev/full");
   EXPECT_EQ(error_text<OutputError>([&] { full.append("x"); }),
             "cannot write /dev/full: No space left on device (free some space, or choose another folder with -o)");

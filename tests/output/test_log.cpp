@@ -59,7 +59,7 @@ TEST(LogRow, HasTheShortestNumbersThatReadBackTheSame) {
   EXPECT_EQ(std::strtod("0.3333333333333333", nullptr), 1.0 / 3);
 }
 
-TEST(LogRow, SaysWhatIsNoNumber) {
+TEST(LogRow, WritesNanAndInfinity) {
   Diagnostics row = sample();
   row.max_speed = std::numeric_limits<double>::quiet_NaN();
   row.cfl = std::numeric_limits<double>::infinity();

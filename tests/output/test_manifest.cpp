@@ -66,7 +66,7 @@ TEST_F(ManifestFile, HasTheFieldsInOrder) {
   EXPECT_EQ(json["exit"], 3);
 }
 
-TEST_F(ManifestFile, TellsAnUnfinishedRunByItsExit) {
+TEST_F(ManifestFile, MarksAnUnfinishedRunByANullExit) {
   Manifest running = filled();
   running.exit.reset();
   write_manifest(file(), running);
@@ -74,14 +74,14 @@ TEST_F(ManifestFile, TellsAnUnfinishedRunByItsExit) {
   EXPECT_EQ(read_manifest(file()).exit, std::nullopt);
 }
 
-TEST_F(ManifestFile, KeepsARunThatBlewUpReadable) {
+TEST_F(ManifestFile, StaysReadableAfterADivergence) {
   Manifest blown = filled();
   blown.max_density_error = std::numeric_limits<double>::infinity();
   write_manifest(file(), blown);
   EXPECT_TRUE(std::isnan(read_manifest(file()).max_density_error));  // JSON knows no infinity
 }
 
-TEST_F(ManifestFile, PassesOverWhatItDoesNotKnow) {
+TEST_F(ManifestFile, IgnoresUnknownFields) {
   std::ofstream(file()) << R"({"version": "9", "invented": [1], "exit": 0})";
   const Manifest manifest = read_manifest(file());
   EXPECT_EQ(manifest.version, "9");
@@ -89,7 +89,7 @@ TEST_F(ManifestFile, PassesOverWhatItDoesNotKnow) {
   EXPECT_EQ(manifest.steps, 0);
 }
 
-TEST_F(ManifestFile, ThatIsNoneIsNamed) {
+TEST_F(ManifestFile, NamesAFileThatIsNoManifest) {
   for (const char* text : {"", "{", "[]", "3", R"({"steps": "many"})", R"({"particles": 3})"}) {
     std::ofstream(file()) << text;
     EXPECT_THAT(error_text<OutputError>([&] { read_manifest(file()); }), HasSubstr(file().string())) << text;

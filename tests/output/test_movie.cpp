@@ -94,7 +94,7 @@ TEST_F(Movie, EveryQualityIsHigh) {  // x264 calls lossless, quality 0, by anoth
 
 TEST_F(Movie, HasItsIndexInFrontAndItsColoursInTheContainer) {
   const std::filesystem::path movie = write_numbered(movie_scene(64, 48, 10), 25);
-  // Between them what was kept for the index and it did not take.
+  // Between them the unused rest of the room for the index.
   EXPECT_THAT(boxes_of(movie), ElementsAre("ftyp", "moov", "free", "free", "mdat"));
   // ISO/IEC 14496-12, 12.1.5: primaries 1, transfer 1, matrix 1 (all BT.709), full-range flag clear.
   const std::string bytes = content_of(movie);

@@ -1,4 +1,4 @@
-// What is left of a movie when its writer is killed, forgets it or meets a full disk.
+// A movie whose writer is killed, ends without finish() or meets a full disk.
 #include <gmock/gmock.h>
 #include <sys/wait.h>
 
@@ -76,7 +76,7 @@ TEST_F(Interrupted, WithoutFinishTheWholePartFilePlays) {
   EXPECT_EQ(check_from_the_start(folder / "wave.part.mp4"), 37);
 }
 
-TEST_F(Interrupted, AFullDiskIsToldAndWhatWasWrittenPlays) {
+TEST_F(Interrupted, AFullDiskIsReportedAndEarlierPicturesPlay) {
   std::string text = "no error";
   int written = 0;
   {
@@ -103,7 +103,7 @@ TEST_F(Interrupted, AFullDiskIsToldAndWhatWasWrittenPlays) {
 TEST_F(Interrupted, ADiskThatFillsAtTheEndKeepsThePartFile) {
   const auto sink = make_movie_sink(folder, movie_scene(64, 48, 10), provenance());
   for (int k = 0; k < 37; ++k) sink->write(numbered(64, 48, k));
-  std::filesystem::create_directory(folder / "wave.mp4.tmp");  // stands in the way of the remuxed file
+  std::filesystem::create_directory(folder / "wave.mp4.tmp");  // blocks the remuxed file
   EXPECT_THAT(error_text<OutputError>([&] { sink->finish(); }), HasSubstr("wave.mp4"));
   EXPECT_FALSE(std::filesystem::exists(folder / "wave.mp4"));
   EXPECT_EQ(check_from_the_start(folder / "wave.part.mp4"), 37);

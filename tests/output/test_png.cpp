@@ -84,7 +84,7 @@ TEST_F(Png, ComesBackBitForBit) {
   }
 }
 
-TEST_F(Png, SaysWhereItComesFrom) {
+TEST_F(Png, HoldsItsProvenance) {
   write_png(file(), noise(16, 9, 1), false, provenance(), 0.1 + 0.2);
   const std::vector<Chunk> chunks = chunks_of(file());
   std::vector<std::string> types;

@@ -23,17 +23,16 @@ Scene tower(double duration) {
   scene.fluid.volumes = {{.shape = Box{Vec3(0), {width, height, 0}}}};
   scene.walls = {{.shape = Tank{Vec3(0), {width, 1.4 * height, 0}, {Side::top}}, .layers = 2, .holes = {}}};
   scene.solver.compressibility = SoundSpeed{20 * std::sqrt(gravity * height)};
-  scene.render.color.by = ColorBy::pressure;
   scene.output.movie.reset();
   return scene;
 }
 
 // The line p = a + b y that fits particles between y0 and y1 best; returns a, the pressure on the floor.
-double floor_pressure(const Frame& frame, double y0, double y1) {
+double floor_pressure(const SetSnapshot& fluid, double y0, double y1) {
   double n = 0, sum_y = 0, sum_p = 0, sum_yy = 0, sum_yp = 0;
-  for (const glm::vec4& particle : frame.particles) {
-    const double y = particle.y;
-    const double p = particle.w;
+  for (std::size_t i = 0; i < fluid.count; ++i) {
+    const double y = fluid.positions[i].y;
+    const double p = fluid.reals(Quantity::pressure)[i];
     if (y < y0 || y > y1) continue;
     n += 1;
     sum_y += y;
@@ -49,18 +48,18 @@ TEST(Hydrostatic, TowerComesToRestUnderItsOwnWeight) {
   const Scene scene = tower(20 * std::sqrt(height / gravity));
   const auto simulation = make_simulation(scene, 0);
   while (!simulation->finished()) simulation->step();
-  Frame frame;
-  simulation->fill(frame);
+  Snapshot snapshot;
+  simulation->fill(snapshot, {.fluid = {Quantity::pressure}});
 
   const double exact = rho0 * gravity * height;
   // From the lower half of the column. The lowest row alone, half a spacing above the floor, reads 3 % more: the wall
   // mirrors its pressure where the true one still grows by rho g dx a row.
-  const double on_floor = floor_pressure(frame, 0, 0.5 * height);
+  const double on_floor = floor_pressure(snapshot.fluid, 0, 0.5 * height);
   EXPECT_NEAR(on_floor / exact, 1, 0.03);
 
   EXPECT_LT(simulation->diagnostics().max_speed, 0.01 * std::sqrt(gravity * height));
 
-  for (const glm::vec4& particle : frame.particles) {
+  for (const glm::vec3& particle : snapshot.fluid.positions) {
     EXPECT_TRUE(particle.x > 0 && particle.x < width && particle.y > 0 && particle.y < height + scene.particle_spacing)
         << particle.x << ", " << particle.y;
   }

@@ -57,13 +57,15 @@ class FakeSimulation final : public Simulation {
   void give_way_to(const std::atomic<int>& others) override { others_ = &others; }
   std::int64_t fluid_particles() const override { return behaviour_now.particles; }
   std::int64_t wall_particles() const override { return 0; }
-  void fill(Frame& frame) override {
-    frame.index = frame_index();
-    frame.time = time();
+  void fill(Snapshot& snapshot, const SnapshotRequest& request) override {
+    snapshot.index = frame_index();
+    snapshot.time = time();
+    snapshot.fluid.fields.clear();
+    for (const Quantity quantity : request.fluid) snapshot.fluid.fields.push_back({.quantity = quantity, .values = {}});
+    if (request.fluid_positions == Precision::none) return;
     const std::lock_guard lock(record_mutex);
     ++record_now.filled;
   }
-  StaticScene static_scene() const override { return {}; }
   Diagnostics diagnostics() override {
     Diagnostics row;
     row.time = time();
@@ -164,6 +166,8 @@ std::unique_ptr<Renderer> make_renderer(const Scene& /*scene*/, const StaticScen
   if (behaviour_now.no_device) throw DeviceError("no device on purpose");
   return std::make_unique<FakeRenderer>();
 }
+
+StaticScene make_static_scene(const Scene& /*scene*/, SetSnapshot /*walls*/) { return {}; }
 
 std::array<double, 2> color_range(const Scene& /*scene*/, const StaticScene& /*static_scene*/) { return {0, 1}; }
 

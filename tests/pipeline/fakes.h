@@ -1,5 +1,5 @@
-// Solver, renderer and encoder that do nothing but count, and fail when told: they show how the stages of a run work
-// together, without OpenGL and without waiting.
+// Solver, renderer and encoder that count their calls, and fail on request: they test how the stages of a run work
+// together, without OpenGL.
 #pragma once
 
 #include <chrono>
@@ -36,14 +36,14 @@ struct FakeRecord {
   std::int64_t steps_ahead = 0;  // of the solver when the device had started
   std::int64_t most_ahead = 0;   // of the solver before the encoder, in frames
   int most_at_once = 0;          // stages at work at one moment
-  std::set<int> others_at_work;  // threads that the solver was told of at the start of a step, if any
+  std::set<int> others_at_work;  // threads to give way to, read at the start of each step
   std::thread::id renderer_thread;
   bool drawn_elsewhere = false;  // on another thread than the renderer was made on
   bool movie_made = false;
   bool movie_finished = false;
 };
 
-// What the next run shall do; resets the record.
+// Sets the behaviour of the next run; resets the record.
 void behave(const FakeBehaviour& behaviour);
 // After the run.
 const FakeRecord& record();

@@ -19,7 +19,7 @@ TEST(Queue, KeepsTheOrder) {
   EXPECT_EQ(queue.pop(), std::nullopt);
 }
 
-TEST(Queue, GivesWhatWasPutBackFirst) {
+TEST(Queue, ReturnsAnItemThatWasPutBackFirst) {
   Queue<int> queue;
   queue.push(1);
   queue.push(2);
@@ -55,7 +55,7 @@ TEST(Queue, HandsEveryItemToOneOfManyThreads) {
   EXPECT_EQ(sum, static_cast<long>(count) * (count + 1) / 2);
 }
 
-TEST(Queue, WakesAllWhoWaitWhenItIsClosed) {
+TEST(Queue, WakesAllWaitingThreadsWhenItIsClosed) {
   Queue<int> queue;
   std::vector<std::thread> consumers;
   for (int i = 0; i < 3; ++i) {

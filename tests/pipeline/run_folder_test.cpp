@@ -1,4 +1,4 @@
-// Whose files stand in a run folder, and what becomes of them.
+// Files of earlier runs in a run folder, kept, refused or replaced.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -80,13 +80,13 @@ TEST_F(Folder, RefusesADifferentRun) {
 TEST_F(Folder, BelongsToOneRunAtATime) {
   RunFolder other(folder_, scene_);
   other.prepare();
-  put(folder_ / "log.csv", "what the other run has written so far");
+  put(folder_ / "log.csv", "rows of the other run");
   options_.force = true;
   EXPECT_THAT(refusal(), HasSubstr("another process is writing a run into " + folder_.string() + " now"));
-  EXPECT_EQ(read_file(folder_ / "log.csv"), "what the other run has written so far");
+  EXPECT_EQ(read_file(folder_ / "log.csv"), "rows of the other run");
 }
 
-TEST_F(Folder, RefusesARunThatEndedBadly) {
+TEST_F(Folder, RefusesAFailedRun) {
   behave({.diverge_in_step = 2});
   EXPECT_EQ(run(scene_, options_).exit, ExitCode::diverged);
   behave({});
@@ -114,7 +114,7 @@ TEST_F(Folder, RefusesAFinishedRunThatLacksAFile) {
   EXPECT_THAT(refusal(), HasSubstr("different or unfinished run"));
 }
 
-TEST_F(Folder, LosesOnlyWhatRunsWroteWhenForced) {
+TEST_F(Folder, LosesOnlyFilesOfRunsWhenForced) {
   run(scene_, options_);
   put(folder_ / "notes.txt", "mine");
   put(folder_ / "frames" / "mine.png", "mine");
@@ -129,19 +129,19 @@ TEST_F(Folder, LosesOnlyWhatRunsWroteWhenForced) {
   EXPECT_FALSE(fs::exists(folder_ / "frames" / "frame_00099.png"));
 }
 
-TEST_F(Folder, NeverLosesASceneOfTheUsers) {
+TEST_F(Folder, KeepsASceneFileOfTheUser) {
   put(folder_ / "scene.yaml", "weir: 1\n");
   options_.force = true;
   EXPECT_THAT(refusal(), HasSubstr("was not written by weir"));
   EXPECT_EQ(read_file(folder_ / "scene.yaml"), "weir: 1\n");
 }
 
-TEST_F(Folder, MayStandAmongOtherFiles) {
+TEST_F(Folder, MayHoldOtherFiles) {
   put(folder_ / "notes.txt", "mine");
   EXPECT_EQ(run(scene_, options_).exit, ExitCode::done);
 }
 
-TEST_F(Folder, IsNoFile) {
+TEST_F(Folder, MustNotBeAFile) {
   put(folder_, "a file");
   EXPECT_THROW(run(scene_, options_), OutputError);
   EXPECT_EQ(read_file(folder_), "a file");

@@ -1,4 +1,4 @@
-// A scene that is right and costs nothing.
+// A valid scene that costs nothing.
 #pragma once
 
 #include "scene/scene.h"

@@ -1,4 +1,4 @@
-// How the stages of a run work together, with stages that fail on purpose.
+// The stages of a run together, some failing on purpose.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -71,7 +71,7 @@ TEST_F(Stages, DrawAndEncodeEveryFrameOnceAndInOrder) {
 }
 
 // Of its 32 steps until eight pictures wait for the device.
-TEST_F(Stages, AreOnesThatTheSolverDoesNotWaitFor) {
+TEST_F(Stages, DoNotHoldUpTheSolverWhileTheDeviceStarts) {
   run_with({.device_time = std::chrono::milliseconds(0)});
   const std::string log = read_file(options_.folder / "log.csv");
   options_.force = true;
@@ -84,7 +84,7 @@ TEST_F(Stages, AreOnesThatTheSolverDoesNotWaitFor) {
   EXPECT_EQ(read_file(options_.folder / "log.csv"), log);
 }
 
-TEST_F(Stages, TellOfADivergenceBeforeThereWasADevice) {
+TEST_F(Stages, ReportADivergenceAheadOfTheDevice) {
   const RunResult result = run_with({.diverge_in_step = 6, .device_time = std::chrono::milliseconds(20)});
   EXPECT_EQ(record().steps_ahead, 6);
   EXPECT_EQ(result.exit, ExitCode::diverged);
@@ -161,7 +161,7 @@ TEST_F(Stages, OverlapWithEachOther) {
   EXPECT_EQ(record().most_at_once, 3);  // a step, a drawing and an encoding at one moment
 }
 
-TEST_F(Stages, TellTheSolverWhenTheyAreAtWork) {
+TEST_F(Stages, CountThemselvesForTheSolverWhileTheyWork) {
   run_with({.step_time = std::chrono::milliseconds(2), .draw_time = std::chrono::milliseconds(3)});
   EXPECT_THAT(record().others_at_work, ElementsAre(0, 1));
   options_.force = true;
@@ -171,23 +171,23 @@ TEST_F(Stages, TellTheSolverWhenTheyAreAtWork) {
   EXPECT_THAT(record().others_at_work, Contains(2));
 }
 
-TEST_F(Stages, TellAFailedDrawing) {
+TEST_F(Stages, ReportAFailedDrawing) {
   const RunResult result = run_with({.draw_fails_at = 3});
   EXPECT_EQ(result.exit, ExitCode::no_device);
   EXPECT_THAT(result.message, HasSubstr("drawing failed on purpose"));
   EXPECT_EQ(record().encoded, frames(3));
-  EXPECT_TRUE(record().movie_finished);  // what was drawn is readable
+  EXPECT_TRUE(record().movie_finished);  // drawn pictures are readable
   EXPECT_EQ(manifest()["exit"], 4);
 }
 
-TEST_F(Stages, TellAFailedEncoder) {
+TEST_F(Stages, ReportAFailedEncoder) {
   scene_.output.frames = true;
   scene_.duration = 4;
   const RunResult result = run_with({.encode_fails_at = 2});
   EXPECT_EQ(result.exit, ExitCode::output);
   EXPECT_THAT(result.message, HasSubstr("encoding failed on purpose"));
   EXPECT_EQ(record().encoded, frames(2));
-  EXPECT_FALSE(record().movie_finished);  // the part file is what remains
+  EXPECT_FALSE(record().movie_finished);  // the part file remains
   EXPECT_LT(record().filled, 81);         // the solver did not go on to the end
   EXPECT_EQ(manifest()["exit"], 5);
 }
@@ -201,7 +201,7 @@ TEST_F(Stages, FinishTheMovieWhenAPngFails) {
   EXPECT_TRUE(record().movie_finished);
 }
 
-TEST_F(Stages, TellAMovieThatCannotBeFinished) {
+TEST_F(Stages, ReportAMovieThatCannotBeFinished) {
   const RunResult result = run_with({.finish_fails = true});
   EXPECT_EQ(result.exit, ExitCode::output);
   EXPECT_THAT(result.message, HasSubstr("finishing failed on purpose"));
@@ -229,7 +229,7 @@ TEST_F(Stages, CloseEverythingWhenTheSimulationDiverges) {
   EXPECT_THAT(read_file(options_.folder / "log.csv"), HasSubstr("\n0.1,8,"));
 }
 
-TEST_F(Stages, TellBothWhenTheMovieFailsAfterADivergence) {
+TEST_F(Stages, ReportBothWhenTheMovieFailsAfterADivergence) {
   const RunResult result = run_with({.diverge_in_step = 10, .finish_fails = true});
   EXPECT_EQ(result.exit, ExitCode::diverged);
   EXPECT_THAT(result.message, HasSubstr("diverged on purpose"));
@@ -258,7 +258,7 @@ TEST_F(Stages, StopAfterTheGivenWallTime) {
   EXPECT_TRUE(record().movie_finished);
 }
 
-TEST_F(Stages, RefuseAWrongSceneBeforeAnythingElse) {
+TEST_F(Stages, RefuseAnInvalidSceneBeforeAnythingElse) {
   scene_.duration = -1;
   EXPECT_THROW(run_with({}), SceneError);
   EXPECT_FALSE(fs::exists(options_.folder));
@@ -283,7 +283,7 @@ TEST_F(Stages, AreInTheTraceOnTheirThreads) {
   EXPECT_EQ(spans.count({"png 1", "write PNG"}) + spans.count({"png 2", "write PNG"}), 1U);
 }
 
-TEST_F(Stages, EndTheTraceOfARunThatNeverBegan) {
+TEST_F(Stages, EndTheTraceOfARunThatCannotBegin) {
   options_.trace = true;
   EXPECT_THROW(run_with({.no_device = true}), DeviceError);
   EXPECT_FALSE(Trace::on());

@@ -106,10 +106,10 @@ TEST(ColorRange, IsEstimatedFromTheSpeed) {
   test::Still still = test::dam_break();  // 4.43 m/s = sqrt(2 g 1 m)
   EXPECT_EQ(color_range(still.scene, still.static_scene), (std::array<double, 2>{0, 5}));
   // rho0 v^2 / 2 = rho0 g H = 9,812 Pa.
-  still.scene.render.color.by = ColorBy::pressure;
+  still.scene.render.color.by = Quantity::pressure;
   EXPECT_EQ(color_range(still.scene, still.static_scene), (std::array<double, 2>{0, 10000}));
   // The same pressure over n k = 7 * 1e5 Pa: 14.02 kg/m^3.
-  still.scene.render.color.by = ColorBy::density;
+  still.scene.render.color.by = Quantity::density;
   EXPECT_EQ(color_range(still.scene, still.static_scene), (std::array<double, 2>{985, 1015}));
   // Over rho0 c0^2 = 1e3 * 20^2 * 9.81 Pa: 2.5 kg/m^3, a little more by the rounding of 4.43.
   still.scene.solver.compressibility = SoundSpeed{20 * std::sqrt(9.81)};
@@ -119,11 +119,21 @@ TEST(ColorRange, IsEstimatedFromTheSpeed) {
 TEST(ColorRange, OfAFluidAtRestIsNotEmpty) {
   test::Still still = test::dam_break();
   still.static_scene.max_speed_estimate = 0;
-  for (const ColorBy by : {ColorBy::speed, ColorBy::density, ColorBy::pressure}) {
-    still.scene.render.color.by = by;
+  for (const QuantityFacts& facts : quantities) {
+    if (!facts.colours()) continue;
+    still.scene.render.color.by = facts.quantity;
     const std::array<double, 2> range = color_range(still.scene, still.static_scene);
-    EXPECT_LT(range[0], range[1]);
+    EXPECT_LT(range[0], range[1]) << facts.name;
   }
+}
+
+TEST(ColorRange, OfNumbersReachesTheLast) {
+  test::Still still = test::dam_break();
+  still.scene.render.color.by = Quantity::id;
+  EXPECT_EQ(color_range(still.scene, still.static_scene), (std::array<double, 2>{0, 33 * 33 - 1}));
+  still.scene.fluid.volumes.resize(4, still.scene.fluid.volumes.front());
+  still.scene.render.color.by = Quantity::volume;
+  EXPECT_EQ(color_range(still.scene, still.static_scene), (std::array<double, 2>{0, 3}));
 }
 
 }  // namespace

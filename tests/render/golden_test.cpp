@@ -43,7 +43,7 @@ TEST(DrawingGolden, NearView) {
 TEST(DrawingGolden, DensityOnLargerPicture) {
   Still still = dam_break();
   still.scene.render.size = {640, 480};
-  still.scene.render.color = {ColorBy::density, ColormapName::coolwarm, {{990, 1010}}};
+  still.scene.render.color = {Quantity::density, ColormapName::coolwarm, {{990, 1010}}};
   for (glm::vec4& particle : still.frame.particles) particle.w = 1000 + 4 * (particle.w - 2);
   EXPECT_TRUE(drawing_matches(still, "density"));
 }

@@ -55,7 +55,7 @@ TEST(RunGolden, DarkAndTransparentWithAMovingCamera) {
   scene.title = "Dark";
   scene.render.theme = Theme::dark;
   scene.render.transparent = true;
-  scene.render.color = {.by = ColorBy::pressure, .map = ColormapName::magma, .range = {{0, 4000}}};
+  scene.render.color = {.by = Quantity::pressure, .map = ColormapName::magma, .range = {{0, 4000}}};
   scene.camera.keyframes = {{.at = 0, .view = View2D{Vec3(0.45, 0.25, 0), 1.0}},
                             {.at = 0.2, .view = View2D{Vec3(0.3, 0.15, 0), 0.6}}};
   const FinishedRun run(scene);

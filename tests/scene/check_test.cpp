@@ -393,7 +393,7 @@ TEST(Estimate, AsksForALittleMoreMemoryThanARunTook) {
   const auto bytes = [&] { return bytes_per_particle(scene); };
   const double without = bytes();
   scene.output.movie = Movie{};
-  EXPECT_NEAR(bytes() - without, 4 * 4 * sizeof(float), 1e-9);  // x, y, z and the colour's quantity in four buffers
+  EXPECT_NEAR(bytes() - without, 5 * 4 * sizeof(float), 1e-9);  // x, y, z and the colour's quantity in five buffers
   scene.solver.kernel.smoothing = 2;                            // (4.4 / 2.4)^2 times the neighbours
   EXPECT_GT(bytes(), without + 2 * 15);
   scene = scene_in(3);

@@ -1,6 +1,7 @@
 // Each mistake in a file: its text, line and column.
 #include "scene/reader.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -17,6 +18,20 @@ using testing::IsEmpty;
 
 // A line added to the shortest scene stands in line 6.
 std::vector<std::string> with_line(const std::string& line) { return mistakes_in(shortest_text + line + "\n"); }
+
+TEST(Reader, KnowsEveryQuantityThatColours) {
+  for (const QuantityFacts& facts : quantities) {
+    const std::string text = shortest_text + fmt::format("render: {{color: {{by: {}}}}}\n", facts.name);
+    if (facts.colours()) {
+      EXPECT_EQ(scene_of(text).render.color.by, facts.quantity) << facts.name;
+    } else {
+      EXPECT_THAT(mistakes_in(text),
+                  ElementsAre(fmt::format("s.yaml:6:18: render.color.by expects one of speed, density, "
+                                          "pressure, id, volume, got '{}'",
+                                          facts.name)));
+    }
+  }
+}
 
 TEST(Reader, ReadsTheShortestScene) {
   const Scene scene = scene_of(shortest_text);

@@ -160,9 +160,9 @@ TYPED_TEST(PeriodicIn, AUniformFlowGoesRoundUnharmed) {
     const Diagnostics end = simulation->diagnostics();
     EXPECT_NEAR(end.center_of_mass[0] - start, length, 1e-4 * dx);
     EXPECT_NEAR(end.max_speed, length, 1e-4 * length);
-    Frame frame;
-    simulation->fill(frame);
-    for (const glm::vec4& particle : frame.particles) {
+    Snapshot snapshot;
+    simulation->fill(snapshot, {});
+    for (const glm::vec3& particle : snapshot.fluid.positions) {
       for (int d = 0; d < dim; ++d) {
         ASSERT_GE(particle[d], -1e-5);
         ASSERT_LE(particle[d], n[static_cast<std::size_t>(d)] * dx + 1e-5);

@@ -37,12 +37,11 @@ TEST(Simulation, HasTheSameBitsForAnyNumberOfThreads) {
 TEST(Simulation, LookingChangesNothing) {
   Scene scene = short_dam_break(2);
   const std::string unseen = hash_after(scene, 2);
-  scene.render.color.by = ColorBy::pressure;
   const auto simulation = make_simulation(scene, 2);
-  Frame frame;
+  Snapshot snapshot;
   for (int k = 0; !simulation->finished(); ++k) {
     if (k % 2 == 0) simulation->diagnostics();
-    if (k % 3 == 0) simulation->fill(frame);
+    if (k % 3 == 0) simulation->fill(snapshot, {.fluid = {Quantity::pressure}});
     if (k % 5 == 0) simulation->state_hash();
     simulation->step();
   }
@@ -143,17 +142,17 @@ TEST(Simulation, ParticlesWithoutNeighboursFallExactly) {
   }
 }
 
-TEST(Simulation, FramesHoldEveryParticleOnce) {
+TEST(Simulation, SnapshotsHoldEveryParticleOnce) {
   Scene scene = short_dam_break(2);
   const Sampling sampling = sample(scene);
   const auto simulation = make_simulation(scene, 2);
   for (int k = 0; k < 3; ++k) simulation->step();
-  Frame frame;
-  simulation->fill(frame);
-  ASSERT_EQ(frame.particles.size(), sampling.fluid_positions.size());
+  Snapshot snapshot;
+  simulation->fill(snapshot, {});
+  ASSERT_EQ(snapshot.fluid.positions.size(), sampling.fluid_positions.size());
   // A few steps from rest move nothing by as much as half a spacing.
   std::vector<int> seen(sampling.fluid_positions.size());
-  for (const glm::vec4& shown : frame.particles) {
+  for (const glm::vec3& shown : snapshot.fluid.positions) {
     for (std::size_t i = 0; i < seen.size(); ++i) {
       const Vec3& x = sampling.fluid_positions[i];
       const double half = 0.5 * scene.particle_spacing;
