@@ -12,25 +12,25 @@ namespace weir {
 
 namespace {
 
-// The median over five rounds, each as many turns as fill 20 ms; s a turn.
+// Time of one call, s: median of five rounds, each of as many calls as take 20 ms.
 template <class Work>
 double seconds_of(const Work& work) {
   std::vector<double> rounds;
   for (int round = 0; round < 5; ++round) {
     const Stopwatch watch;
     double taken = 0;
-    int turns = 0;
+    int calls = 0;
     do {
       work();
-      ++turns;
+      ++calls;
       taken = watch.seconds();
     } while (taken < 0.02);
-    rounds.push_back(taken / turns);
+    rounds.push_back(taken / calls);
   }
   return median(rounds);
 }
 
-// The tower with about so many particles, whole spacings wide.
+// The tower with about this number of particles and a width of whole spacings.
 Scene tower_of(Scene tower, std::int64_t particles) {
   const Box& water = std::get<Box>(tower.fluid.volumes.at(0).shape);
   const Vec3 size = water.max - water.min;
