@@ -1,13 +1,11 @@
-// What the pixels of a picture show of lit balls: the nearest two in each, and how much of it balls cover. Balls are added
-// one by one, best from the front to the back: then most of those behind are known to change nothing before they are looked
-// at pixel by pixel.
+// CPU rasteriser of lit spheres: the nearest two spheres of each pixel, and their coverage. Spheres are added one by one,
+// preferably front to back, so that most hidden ones are rejected before they are rasterised.
 //
-// All this is the processor's, whatever device then draws. To leave out what is hidden, someone has to know what is seen at
-// each pixel; once that is known there is little left to shade, and a device that runs on the processor had to look at every
-// ball anew for all of the blocks near it.
+// It runs on the processor for every device: hidden spheres can be removed only where the visible ones are known, after
+// which little is left to shade. A software device had to process each sphere again for all blocks near it.
 //
-// Coverage is summed in whole 1/1024 and depths are compared, so pixels do not depend on the order of the balls, but where
-// two surfaces are equally far: there the ball that came first counts as the nearer.
+// Coverage is summed in integers of 1/1024 and depths are compared, so pixels do not depend on the order of spheres, except
+// for equal depths, where the first sphere counts as nearer.
 #pragma once
 
 #include <cstdint>

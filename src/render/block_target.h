@@ -1,4 +1,4 @@
-// Pictures that are drawn block by block: a texel holds the pixels of a row of one block, packed into an integer.
+// Render targets in blocks: a texel packs the pixels of one row of a block into an integer.
 #pragma once
 
 #include <cstdint>

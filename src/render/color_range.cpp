@@ -10,8 +10,8 @@ namespace weir {
 
 namespace {
 
-// What a change of pressure, Pa, is divided by to give the relative change of density: the stiffness of the linear state
-// equation with the same sound speed.
+// Stiffness of the linear equation of state with the same sound speed, Pa: relative change of density = change of pressure /
+// this.
 double bulk_modulus(const Scene& scene) { return stiffness_of_state(sound_speed(scene), 1, scene.fluid.rest_density); }
 
 }  // namespace

@@ -1,10 +1,9 @@
-// What the pixels of a picture show of flat discs: in each the two with the nearest centres, which hold all of it that discs
-// cover. Its colour is theirs, parted along the line between the two.
+// CPU rasteriser of flat discs: each pixel keeps the two discs with the nearest centres, which contain its whole covered
+// part, divided along the bisector of the two centres.
 //
-// The processor makes these pixels, whatever device then lays them over the background: a device that is the processor, too,
-// took a third longer to gather discs by blocks of pixels.
+// It runs on the processor for every device: gathering discs by blocks of pixels on a software device took a third longer.
 //
-// What decides are minima, so pixels do not depend on the order of the discs.
+// Selection is by minima, so pixels do not depend on the order of discs.
 #pragma once
 
 #include <cstdint>

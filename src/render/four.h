@@ -1,5 +1,4 @@
-// Four floats or whole numbers at once, in the compilers' own vector types: what the processor does for each particle or
-// pixel of a picture.
+// Vectors of four floats or integers in vector types of the compiler, for particles and pixels on the processor.
 #pragma once
 
 #include <algorithm>

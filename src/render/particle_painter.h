@@ -1,9 +1,8 @@
-// Draws particles of one size as discs (2D) or lit balls (perspective), over a background, into a colour or a movie target.
-// The processor projects them and makes pixels: of discs, of dots where discs are smaller than that, of balls. The device
-// lays them over the background and puts out what the target holds.
+// Draws particles of one size as discs (2D) or lit spheres (perspective) over a background, into a colour or a movie target.
+// The processor projects and rasterises them as discs, dots or spheres; the device composites the pixels over the background.
 //
-// Of the ways measured for the software renderer (points, quads, gathering by pixels or by blocks of pixels on the device)
-// this takes the least time; on a graphics card none was measured.
+// On the software renderer this is faster than points, quads, or gathering by pixels or blocks of pixels on the device; on a
+// graphics card nothing was measured.
 #pragma once
 
 #include <array>

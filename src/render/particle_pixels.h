@@ -1,4 +1,4 @@
-// Particles as pixels of the processor's making, which are then laid over the background.
+// Interface of the CPU rasterisers, whose pixels are composited over the background.
 #pragma once
 
 #include <functional>

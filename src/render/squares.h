@@ -1,4 +1,4 @@
-// Which squares of a picture the processor has made pixels for, and where those stand among all that the device is given.
+// Screen tiles that the rasterisers have filled, and the offsets of their pixels in the buffer for the device.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Facts about drawn particles, from the pixels.
+// Properties of drawn particles, from their pixels.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -144,7 +144,7 @@ TEST(Discs, NoneLeaveTheBackground) {
             static_cast<std::uint32_t>(dark.r) << 16 | static_cast<std::uint32_t>(dark.g) << 8 | dark.b);
 }
 
-TEST(Discs, OffThePictureAreNotSeen) {
+TEST(Discs, OffThePictureAreNotDrawn) {
   Still still = one_disc(10, {0, 0});
   still.frame.particles = {glm::vec4(171, 0, 0, 0), glm::vec4(0, -101, 0, 0), glm::vec4(1e6f, 1e6f, 0, 0),
                            glm::vec4(-3e38f, 3e38f, 0, 0)};

@@ -1,5 +1,5 @@
-// Balls of which most are left out, against a picture for which every ball is looked at, pixel by pixel, in double precision
-// where that decides nothing.
+// Occlusion culling against a reference that rasterises every sphere, in double precision where the result does not depend on
+// it.
 #include "render/visible_balls.h"
 
 #include <gtest/gtest.h>
@@ -155,7 +155,7 @@ std::vector<glm::vec4> box(const View& view, int across, int deep, double disord
   return balls;
 }
 
-TEST(VisibleBalls, LeaveThePictureAsItIs) {
+TEST(VisibleBalls, CullingKeepsThePicture) {
   for (const double size : {0.7, 1.6, 4.3, 17.0})  // pixels
     for (const double disorder : {0.0, 0.2, 0.6}) {
       const View view{0.01, size / 0.01};
