@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <string_view>
 
-// Defines `std::string_view embedded_<name>()`, the content of `file`, in this translation unit. The assembler copies the
-// file verbatim, as compiling a generated array of a font's 740 kB takes seconds; CMake rebuilds when the file changes
-// (OBJECT_DEPENDS). Symbols are hidden: program and modules may each have a copy.
+// Defines `std::string_view embedded_<name>()`, the content of `file`, in this translation unit. The assembler copies
+// the file verbatim, as compiling a generated array of a font's 740 kB takes seconds; CMake rebuilds when the file
+// changes (OBJECT_DEPENDS). Symbols are hidden: program and modules may each have a copy.
 #define WEIR_EMBED(name, file)                                                                                  \
   asm(".pushsection .rodata\n"                                                                                  \
       ".balign 16\n"                                                                                            \

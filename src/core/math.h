@@ -32,9 +32,9 @@ constexpr R minus_product(R c, R a, R b) {
   return c - a * b;
 }
 
-// sum += y, with the rounding error kept in `compensation` and added at the next call (Kahan summation): the pair has about
-// twice the digits. |y| must be small against |sum|, or sum zero. [W. Kahan, Further remarks on
-// reducing truncation errors, Commun. ACM 8 (1965) 40]
+// sum += y, with the rounding error kept in `compensation` and added at the next call (Kahan summation): the pair has
+// about twice the digits. |y| must be small against |sum|, or sum zero. [W. Kahan, Further remarks on reducing
+// truncation errors, Commun. ACM 8 (1965) 40]
 template <class R>
 constexpr void compensated_add(R& sum, R& compensation, R y) {
   const R compensated = y + compensation;
@@ -43,13 +43,14 @@ constexpr void compensated_add(R& sum, R& compensation, R y) {
   sum = total;
 }
 
-// Square roots are exactly rounded everywhere (IEEE 754), unlike powers and trigonometric functions, which the state must not depend on.
+// Square roots are exactly rounded everywhere (IEEE 754), unlike powers and trigonometric functions, which the state
+// must not depend on.
 inline float square_root(float x) { return std::sqrt(x); }
 inline double square_root(double x) { return std::sqrt(x); }
 
 // 1/x for x > 0 by multiplications alone, to 2^-23 where multiply_add rounds once. An integer subtraction negates the
-// exponent and gives a first value within 5.1 % (the constant is optimal over all mantissas); a cubic and a quadratic Newton
-// step leave relative errors of 1.3e-4 and 1.7e-8. Invalid for x below 2^-125.
+// exponent and gives a first value within 5.1 % (the constant is optimal over all mantissas); a cubic and a quadratic
+// Newton step leave relative errors of 1.3e-4 and 1.7e-8. Invalid for x below 2^-125.
 inline float reciprocal_guess(float x) {
   return std::bit_cast<float>(std::int32_t{0x7EF311C0} - std::bit_cast<std::int32_t>(x));
 }

@@ -1,5 +1,5 @@
-// Modules: shared objects beside the program (OpenGL, libav, plots), loaded at first use, so that a run without pictures
-// neither maps nor initialises these libraries.
+// Modules: shared objects beside the program (OpenGL, libav, plots), loaded at first use, so that a run without
+// pictures neither maps nor initialises these libraries.
 #pragma once
 
 #include <string>

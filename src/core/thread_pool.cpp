@@ -94,8 +94,8 @@ void ThreadPool::run(std::size_t count, Call call, const void* object) {
     for (std::size_t k = 0; k < wanted; ++k) loops_.notify_one();
   }
   run_tasks(0);
-  // A helper increments inside_ and then reads open_; here open_ is cleared and then inside_ is read. In this sequentially
-  // consistent order either the helper sees the loop closed, or it is waited for here.
+  // A helper increments inside_ and then reads open_; here open_ is cleared and then inside_ is read. In this
+  // sequentially consistent order either the helper sees the loop closed, or it is waited for here.
   open_ = false;
   for (int inside = inside_; inside != 0; inside = inside_) await_change(inside_, inside);
 }

@@ -1,8 +1,8 @@
 // A thread pool for parallel loops.
 //
-// Not OpenMP: its idle threads spin for long and would occupy cores that drawing and encoding need (a loop that shared two
-// cores took three times as long). Idle threads of this pool sleep in the kernel after a short spin, and a loop that ends
-// before a thread has woken does not wait for it.
+// Not OpenMP: its idle threads spin for long and would occupy cores that drawing and encoding need (a loop that shared
+// two cores took three times as long). Idle threads of this pool sleep in the kernel after a short spin, and a loop
+// that ends before a thread has woken does not wait for it.
 #pragma once
 
 #include <algorithm>
@@ -37,8 +37,8 @@ class ThreadPool {
   // `others` must outlive the loops.
   void give_way_to(const std::atomic<int>& others);
 
-  // Runs the tasks body(k), 0 <= k < count, each once, in any order and on any thread; returns when all are done. The body
-  // must not throw and must not use this pool.
+  // Runs the tasks body(k), 0 <= k < count, each once, in any order and on any thread; returns when all are done. The
+  // body must not throw and must not use this pool.
   template <class Body>
   void for_each(std::size_t count, const Body& body) {
     run(
@@ -55,8 +55,8 @@ class ThreadPool {
   Call call_ = nullptr;
   const void* object_ = nullptr;
   std::size_t wanted_ = 0;  // helpers
-  // Each thread starts with a chunk of tasks of its own, the same in every loop of this count, whose data are then still in
-  // its cache; afterwards it takes tasks that are left in other chunks.
+  // Each thread starts with a chunk of tasks of its own, the same in every loop of this count, whose data are then
+  // still in its cache; afterwards it takes tasks that are left in other chunks.
   struct alignas(64) Chunk {
     std::atomic<std::size_t> next{0};
     std::size_t end = 0;

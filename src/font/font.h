@@ -1,5 +1,5 @@
-// The typeface of overlays and plots, DejaVu Sans (Bitstream Vera licence: free to embed), embedded in the program: no font
-// has to be installed.
+// The typeface of overlays and plots, DejaVu Sans (Bitstream Vera licence: free to embed), embedded in the program: no
+// font has to be installed.
 #pragma once
 
 #include <string_view>

@@ -55,8 +55,8 @@ void save(const std::filesystem::path& file, const std::string& bytes) {
   if (!out) throw OutputError(fmt::format("cannot write {}", file.string()));
 }
 
-// Renumbers surfaces and images from 1: cairo counts them over the life of the program, and equal data must give equal files.
-// Replaces quoted names only, which base64 images do not contain.
+// Renumbers surfaces and images from 1: cairo counts them over the life of the program, and equal data must give equal
+// files. Replaces quoted names only, which base64 images do not contain.
 std::string renumbered(const std::string& svg) {
   static constexpr std::array<std::string_view, 3> names{"\"surface", "\"image", "\"#image"};
   std::map<std::string, std::size_t> numbers;

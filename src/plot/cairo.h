@@ -15,8 +15,8 @@ struct Color {
 inline constexpr Color ink{0.13, 0.13, 0.13};
 inline constexpr Color faint{0.88, 0.88, 0.88};
 
-// Colour of the k-th line: the palette of M. Okabe and K. Ito, Color Universal Design (2008), distinguishable with any kind
-// of colour vision; darker colours first, without the yellow, which is too pale for a line on white.
+// Colour of the k-th line: the palette of M. Okabe and K. Ito, Color Universal Design (2008), distinguishable with any
+// kind of colour vision; darker colours first, without the yellow, which is too pale for a line on white.
 Color series_color(std::size_t k);
 
 enum class Anchor { start, middle, end };

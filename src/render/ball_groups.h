@@ -1,7 +1,7 @@
 // Groups of a few dozen consecutive particles, drawn as spheres: bounds of the pixels and of the depths of each group.
 //
-// The order of the solver keeps neighbours in space close in memory, so a group fills a small box. In any other order boxes
-// are large, which costs time and changes no pixel.
+// The order of the solver keeps neighbours in space close in memory, so a group fills a small box. In any other order
+// boxes are large, which costs time and changes no pixel.
 #pragma once
 
 #include <array>

@@ -1,11 +1,11 @@
-// CPU rasteriser of lit spheres: the nearest two spheres of each pixel, and their coverage. Spheres are added one by one,
-// preferably front to back, so that most hidden ones are rejected before they are rasterised.
+// CPU rasteriser of lit spheres: the nearest two spheres of each pixel, and their coverage. Spheres are added one by
+// one, preferably front to back, so that most hidden ones are rejected before they are rasterised.
 //
 // It runs on the processor for every device: hidden spheres can be removed only where the visible ones are known, after
 // which little is left to shade. A software device had to process each sphere again for all blocks near it.
 //
-// Coverage is summed in integers of 1/1024 and depths are compared, so pixels do not depend on the order of spheres, except
-// for equal depths, where the first sphere counts as nearer.
+// Coverage is summed in integers of 1/1024 and depths are compared, so pixels do not depend on the order of spheres,
+// except for equal depths, where the first sphere counts as nearer.
 #pragma once
 
 #include <cstdint>
@@ -46,14 +46,14 @@ class BallPixels {
   explicit BallPixels(const PixelRange& pixels, bool wide_registers = has_wide_registers());
   const PixelRange& all() const { return all_; }
 
-  // From now on balls of this radius, m, seen with so many pixels per metre at one metre of depth, which will have about
-  // `typical_reach` pixels of radius in the picture. Forgets all others.
+  // From now on balls of this radius, m, seen with so many pixels per metre at one metre of depth, which will have
+  // about `typical_reach` pixels of radius in the picture. Forgets all others.
   void begin(double radius, double focal, double typical_reach);
   // Those of our pixels that a ball may touch. It must touch some.
   PixelRange pixels_of(const ScreenBall& ball) const;
   float front_of(const ScreenBall& ball) const { return ball.depth - radius_; }  // m, of the nearest point
-  // Whether nothing changes those of these pixels that are ours if it lies wholly at `front` or further, m. May say no where
-  // it could say yes.
+  // Whether nothing changes those of these pixels that are ours if it lies wholly at `front` or further, m. May say no
+  // where it could say yes.
   bool hides(const PixelRange& pixels, float front) const;
   void add(const ScreenBall& ball);
   std::size_t added() const { return added_.size(); }

@@ -1,5 +1,5 @@
-// Lit spheres, rasterised by several threads, each in strips of the picture of its own. Pixels depend neither on the order of
-// spheres nor on other pixels, hence not on the number of threads.
+// Lit spheres, rasterised by several threads, each in strips of the picture of its own. Pixels depend neither on the
+// order of spheres nor on other pixels, hence not on the number of threads.
 #pragma once
 
 #include <array>

@@ -50,7 +50,8 @@ View3D between(const View3D& from, const View3D& to, double along) {
   const double to_length = glm::length(to_arm);
   const Vec3 from_direction = from_arm / from_length;
   const Vec3 to_direction = to_arm / to_length;
-  // The eye moves on a sphere around the target along the shorter arc; horizontally between exactly opposite directions.
+  // The eye moves on a sphere around the target along the shorter arc; horizontally between exactly opposite
+  // directions.
   const double angle = std::acos(std::clamp(glm::dot(from_direction, to_direction), -1.0, 1.0));
   Vec3 aside = to_direction - glm::dot(from_direction, to_direction) * from_direction;
   if (glm::length(aside) < 1e-9) aside = glm::cross(Vec3(0, 0, 1), from_direction);

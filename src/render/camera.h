@@ -7,8 +7,8 @@
 
 namespace weir {
 
-// Bounds of the automatic view: walls, including the size of their particles, and the fluid at the start. Without walls the
-// motion of the fluid is unknown: a quarter of its larger extent is added on every side.
+// Bounds of the automatic view: walls, including the size of their particles, and the fluid at the start. Without walls
+// the motion of the fluid is unknown: a quarter of its larger extent is added on every side.
 Bounds bounds_of(const Scene& scene, const StaticScene& static_scene);
 
 class CameraPath {
@@ -26,8 +26,8 @@ class CameraPath {
   int height_;
 };
 
-// Interpolates two views of one kind, `along` in [0, 1]: the width changes geometrically, and the centre such that the fixed
-// point of both pictures stays fixed.
+// Interpolates two views of one kind, `along` in [0, 1]: the width changes geometrically, and the centre such that the
+// fixed point of both pictures stays fixed.
 View view_between(const View& from, const View& to, double along);
 
 }  // namespace weir

@@ -10,8 +10,8 @@ namespace weir {
 
 namespace {
 
-// Stiffness of the linear equation of state with the same sound speed, Pa: relative change of density = change of pressure /
-// this.
+// Stiffness of the linear equation of state with the same sound speed, Pa: relative change of density = change of
+// pressure / this.
 double bulk_modulus(const Scene& scene) { return stiffness_of_state(sound_speed(scene), 1, scene.fluid.rest_density); }
 
 }  // namespace

@@ -17,8 +17,8 @@ std::string egl_failure(const std::string& call, int code);
 // Message of DeviceError: the request, a line per trial, a remedy.
 std::string no_device_text(const std::string& requested, const std::vector<DeviceTrial>& trials);
 
-// True if the loader finds any of the libraries; otherwise `problem` names the libraries tried. libepoxy aborts the process
-// if a library is missing, so this must be checked before any of its functions is called.
+// True if the loader finds any of the libraries; otherwise `problem` names the libraries tried. libepoxy aborts the
+// process if a library is missing, so this must be checked before any of its functions is called.
 bool library_is_there(const std::vector<std::string>& names, std::string& problem);
 
 }  // namespace weir

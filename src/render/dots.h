@@ -1,5 +1,5 @@
-// CPU rasteriser of dots, discs too small to look round: coverage is summed per pixel. Sorting dots into lists for the device
-// costs the processor more than summing them.
+// CPU rasteriser of dots, discs too small to look round: coverage is summed per pixel. Sorting dots into lists for the
+// device costs the processor more than summing them.
 //
 // Sums are integers, so they do not depend on the order of dots; they overflow at a coverage of 8,000.
 #pragma once

@@ -1,6 +1,6 @@
-// The eight pixels of a block in vector types of the compiler: two rows of four, in one register of eight floats or in two of
-// four. Functions with these parameters are always inlined, as their calling convention depends on the instruction set of the
-// caller.
+// The eight pixels of a block in vector types of the compiler: two rows of four, in one register of eight floats or in
+// two of four. Functions with these parameters are always inlined, as their calling convention depends on the
+// instruction set of the caller.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Title, time, colour bar, scale bar and CFL indicator, drawn by the processor, with the same pixels for every device. Drawn on a
-// transparent picture they form a layer.
+// Title, time, colour bar, scale bar and CFL indicator, drawn by the processor, with the same pixels for every device.
+// Drawn on a transparent picture they form a layer.
 #pragma once
 
 #include <array>

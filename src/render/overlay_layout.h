@@ -1,5 +1,5 @@
-// Layout of the overlay's items. Sizes are proportional to the picture's height; items that do not fit are omitted, the least
-// important first, so that items never overlap.
+// Layout of the overlay's items. Sizes are proportional to the picture's height; items that do not fit are omitted, the
+// least important first, so that items never overlap.
 #pragma once
 
 #include <functional>

@@ -13,7 +13,8 @@ struct Rgb {
   std::uint8_t b = 0;
 };
 
-// Yellow as in [Hinsch24 ch. 6], deeper than the brightest colour of viridis: visible on white and distinct from fast fluid.
+// Yellow as in [Hinsch24 ch. 6], deeper than the brightest colour of viridis: visible on white and distinct from fast
+// fluid.
 inline constexpr std::uint32_t wall_color = 0xf2b705;
 
 struct Palette {

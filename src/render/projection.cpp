@@ -70,8 +70,8 @@ Projection fit_3d(const Bounds& bounds, const PixelBox& content) {
   projection.focal = 0.5 * std::max(content.width(), content.height()) / std::tan(glm::radians(12.0));
   projection.principal = {0.5 * (content.left + content.right), 0.5 * (content.top + content.bottom)};
 
-  // Alternates the least distance that keeps all corners inside and the target that centres them; the two depend weakly on
-  // each other, so a few rounds converge.
+  // Alternates the least distance that keeps all corners inside and the target that centres them; the two depend weakly
+  // on each other, so a few rounds converge.
   Vec3 target = 0.5 * (bounds.min + bounds.max);
   for (int round = 0; round < 8; ++round) {
     double distance = least_extent;

@@ -25,14 +25,14 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  // These functions draw at the scene's size, resize pictures of other sizes, throw DeviceError, and must be called on the
-  // thread of construction.
+  // These functions draw at the scene's size, resize pictures of other sizes, throw DeviceError, and must be called on
+  // the thread of construction.
 
   virtual void draw(const Frame& frame, Image& image) = 0;
 
-  // The same picture for a movie, in two steps, so that the device draws one frame while the last is read: start() starts a
-  // frame, finish() waits for the first frame started. At most most_under_way() frames may be started: two, or one where two
-  // gain nothing; nothing else may be drawn in between.
+  // The same picture for a movie, in two steps, so that the device draws one frame while the last is read: start()
+  // starts a frame, finish() waits for the first frame started. At most most_under_way() frames may be started: two, or
+  // one where two gain nothing; nothing else may be drawn in between.
   virtual std::size_t most_under_way() const = 0;
   virtual void start(const Frame& frame) = 0;
   virtual void finish(MovieImage& image) = 0;
@@ -54,12 +54,12 @@ struct DeviceChoice {
 };
 DeviceChoice device_choice(const std::string& requested);  // `requested`, else WEIR_GL_DEVICE, else auto
 
-// Loads the module. `threads`, as for thread_count(), rasterise particles. Throws DeviceError naming every display and device
-// tried.
+// Loads the module. `threads`, as for thread_count(), rasterise particles. Throws DeviceError naming every display and
+// device tried.
 std::unique_ptr<Renderer> make_renderer(const Scene& scene, const StaticScene& static_scene, const DeviceChoice& choice,
                                         int threads = 0);
-// Restricts software devices to the calling thread, so that the processors that drawing takes are known. Must be called before
-// any thread reads the environment; an existing LP_NUM_THREADS is kept.
+// Restricts software devices to the calling thread, so that the processors that drawing takes are known. Must be called
+// before any thread reads the environment; an existing LP_NUM_THREADS is kept.
 void draw_on_calling_thread();
 std::vector<DeviceTrial> list_devices();
 

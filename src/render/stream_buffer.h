@@ -1,5 +1,6 @@
-// Buffers that the processor writes for each picture, mapped into memory of the device. Two, so that one can be written while
-// the device reads the other; the same one is reused if it is idle. They never shrink: fresh memory costs page faults.
+// Buffers that the processor writes for each picture, mapped into memory of the device. Two, so that one can be written
+// while the device reads the other; the same one is reused if it is idle. They never shrink: fresh memory costs page
+// faults.
 #pragma once
 
 #include <array>
@@ -17,8 +18,8 @@ class StreamBuffer {
   StreamBuffer(const StreamBuffer&) = delete;
   StreamBuffer& operator=(const StreamBuffer&) = delete;
 
-  // Memory for so many bytes, to be written before the next drawing and not read; what was there is lost. Waits until the
-  // device has drawn what it had been given before the last call, if it still draws that. Throws DeviceError.
+  // Memory for so many bytes, to be written before the next drawing and not read; what was there is lost. Waits until
+  // the device has drawn what it had been given before the last call, if it still draws that. Throws DeviceError.
   void* begin(std::size_t bytes);
   // To be called after whatever draws from it.
   void drawn();

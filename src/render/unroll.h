@@ -1,7 +1,7 @@
 // Unrolls loops in the source of a shader.
 //
-// The software renderer keeps arrays that a loop indexes in memory unless its compiler unrolls the loop, which Mesa's does not
-// do for long bodies; with constant indices they stay in registers. Drawing then takes a quarter of the time.
+// The software renderer keeps arrays that a loop indexes in memory unless its compiler unrolls the loop, which Mesa's
+// does not do for long bodies; with constant indices they stay in registers. Drawing then takes a quarter of the time.
 #pragma once
 
 #include <map>

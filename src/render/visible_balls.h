@@ -1,5 +1,5 @@
-// Spheres in order of depth, with occlusion culling: a body of fluid shows little more than its outermost layer. Groups whose
-// pixels are all covered by nearer spheres are not projected.
+// Spheres in order of depth, with occlusion culling: a body of fluid shows little more than its outermost layer. Groups
+// whose pixels are all covered by nearer spheres are not projected.
 #pragma once
 
 #include <cstdint>

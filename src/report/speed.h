@@ -44,8 +44,8 @@ struct SpeedOptions {
 
 LinePlot speed_figure(const SpeedOptions& speed, const ReportOptions& options);
 std::string developed_flow_csv(const SpeedOptions& speed, const ReportOptions& options);
-// Pairs of cases, alternating, five times; the median ratio. `with` has a term that `without` lacks, with coefficient zero:
-// both compute the same.
+// Pairs of cases, alternating, five times; the median ratio. `with` has a term that `without` lacks, with coefficient
+// zero: both compute the same.
 std::string savings_csv(const SpeedOptions& speed, const ReportOptions& options);
 // Simulated time over wall time of Hinsch's two scenes for k = 1e4, 1e5 and 1e6 Pa.
 std::string real_time_csv(const SpeedOptions& speed, const ReportOptions& options);

@@ -1,5 +1,6 @@
-// Lanes by Highway, for the instruction set that this source is built with. Highway has the operations beyond arithmetic that
-// the pair engine needs (repeated quarters of a register, compressed stores), which std::experimental::simd lacks.
+// Lanes by Highway, for the instruction set that this source is built with. Highway has the operations beyond
+// arithmetic that the pair engine needs (repeated quarters of a register, compressed stores), which
+// std::experimental::simd lacks.
 #pragma once
 
 #include <hwy/highway.h>
@@ -18,7 +19,8 @@ using IntTag = hn::ScalableTag<std::int32_t>;
 
 constexpr int lanes = HWY_LANES(float);
 
-// In pair loops a register is a table of pairs: `rows` rows, one particle i each, and `cluster` columns, one neighbour j each.
+// In pair loops a register is a table of pairs: `rows` rows, one particle i each, and `cluster` columns, one neighbour
+// j each.
 constexpr int cluster = 4;
 constexpr int rows = lanes / cluster;
 
@@ -212,8 +214,8 @@ WEIR_INLINE Mask not_negative(const std::int32_t* p) {
 }
 WEIR_INLINE Mask both(Mask a, Mask b) { return {hn::And(a.m, b.m)}; }
 
-// Writes start + step k for each lane k of `which`, in order, to `out`, which has room for a whole register. Returns the
-// number written.
+// Writes start + step k for each lane k of `which`, in order, to `out`, which has room for a whole register. Returns
+// the number written.
 WEIR_INLINE int store_numbers(Mask which, std::int32_t start, std::int32_t step, std::int32_t* out) {
   const auto numbers = hn::Add(hn::Set(IntTag(), start), hn::Mul(hn::Iota(IntTag(), 0), hn::Set(IntTag(), step)));
   return static_cast<int>(hn::CompressBlendedStore(numbers, hn::RebindMask(IntTag(), which.m), IntTag(), out));

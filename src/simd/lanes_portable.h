@@ -1,6 +1,6 @@
 // Four lanes by the vector types of GCC and clang, for every processor of the architecture. The interface is that of
-// lanes_highway.h. (Highway's own emulation takes four times as long to compile and to run, and its version in Debian 12 has
-// no SSE2.)
+// lanes_highway.h. (Highway's own emulation takes four times as long to compile and to run, and its version in Debian
+// 12 has no SSE2.)
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,8 @@
 namespace weir::WEIR_INSTRUCTION_SET {
 
 constexpr int lanes = 4;
-// In pair loops a register is a table of pairs: `rows` rows, one particle i each, and `cluster` columns, one neighbour j each.
+// In pair loops a register is a table of pairs: `rows` rows, one particle i each, and `cluster` columns, one neighbour
+// j each.
 constexpr int cluster = 4;
 constexpr int rows = lanes / cluster;
 
@@ -107,8 +108,8 @@ WEIR_INLINE Mask not_negative(const std::int32_t* p) {
   return {numbers >= 0};
 }
 
-// Writes start + step k for each lane k of `which`, in order, to `out`, which has room for a whole register. Returns the
-// number written.
+// Writes start + step k for each lane k of `which`, in order, to `out`, which has room for a whole register. Returns
+// the number written.
 WEIR_INLINE int store_numbers(Mask which, std::int32_t start, std::int32_t step, std::int32_t* out) {
   int count = 0;
   for (int k = 0; k < lanes; ++k) {

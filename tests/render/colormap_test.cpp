@@ -28,8 +28,8 @@ TEST(Colormap, HasThePublishedAnchors) {
   EXPECT_EQ(colormap(ColormapName::coolwarm)[255], 0xb40426U);
 }
 
-// Mikhailov 2019 gives a polynomial of degree five beside the table, a fit with an error of at most 0.125, at the dark end. A
-// reversed or shifted table, or exchanged channels, would have several times this error.
+// Mikhailov 2019 gives a polynomial of degree five beside the table, a fit with an error of at most 0.125, at the dark
+// end. A reversed or shifted table, or exchanged channels, would have several times this error.
 glm::dvec3 turbo_polynomial(double x) {
   const std::array<std::array<double, 6>, 3> c = {
       {{0.13572138, 4.61539260, -42.66032258, 132.13108234, -152.94239396, 59.28637943},

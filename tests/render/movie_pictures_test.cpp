@@ -82,7 +82,8 @@ TEST_P(MoviePicture, MayBeOfAnyEvenSize) {
   }
 }
 
-// A straight edge between pixels 99 and 100: the sample at pixel 100 has a weight of 1/4 for pixel 99; no other sample mixes.
+// A straight edge between pixels 99 and 100: the sample at pixel 100 has a weight of 1/4 for pixel 99; no other sample
+// mixes.
 TEST_P(MoviePicture, HasItsChromaOnTheLeft) {
   Still still = blank(1);
   still.static_scene.particle_spacing = 2e4;

@@ -60,8 +60,8 @@ bool includes(const std::set<std::string>& flags, std::initializer_list<const ch
   return std::all_of(wanted.begin(), wanted.end(), [&](const char* flag) { return flags.contains(flag); });
 }
 
-// Features of gcc -march=haswell and -march=skylake-avx512 by the kernel's names (abm is lzcnt and popcnt), without those
-// that compilers use on request alone.
+// Features of gcc -march=haswell and -march=skylake-avx512 by the kernel's names (abm is lzcnt and popcnt), without
+// those that compilers use on request alone.
 TEST(InstructionSets, AreUsableIfTheProcessorHasEveryFeatureThatCompilersUse) {
   const std::set<std::string> flags = flags_of_processor();
   ASSERT_FALSE(flags.empty());
