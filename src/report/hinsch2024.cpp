@@ -11,7 +11,7 @@ namespace weir {
 
 namespace {
 
-// s; by then the oscillations that the figures are about have died down.
+// s; the oscillations that the figures show have decayed by then.
 constexpr double shown = 2;
 
 }  // namespace

@@ -13,20 +13,20 @@ namespace weir {
 
 namespace {
 
-// The median over five rounds, each as many turns as fill 20 ms; s a turn.
+// Time of one call, s: median of five rounds, each of as many calls as take 20 ms.
 template <class Work>
 double seconds_of(const Work& work) {
   std::vector<double> rounds;
   for (int round = 0; round < 5; ++round) {
     const Stopwatch watch;
     double taken = 0;
-    int turns = 0;
+    int calls = 0;
     do {
       work();
-      ++turns;
+      ++calls;
       taken = watch.seconds();
     } while (taken < 0.02);
-    rounds.push_back(taken / turns);
+    rounds.push_back(taken / calls);
   }
   return median(rounds);
 }

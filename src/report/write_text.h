@@ -1,4 +1,4 @@
-// Tables beside the figures.
+// Writes the tables of reports.
 #pragma once
 
 #include <filesystem>
