@@ -48,7 +48,7 @@ void check_ranges(Checker& checker);    // each field by itself, by the field ta
 void check_geometry(Checker& checker);  // volumes and walls, each by itself and their number
 void check_periodic(Checker& checker);  // periodic axes and the domain
 void check_solver(Checker& checker);    // the solver's settings against walls
-void check_meeting(Checker& checker);   // volumes and walls against each other
+void check_overlap(Checker& checker);   // volumes and walls against each other
 void check_timeline(Checker& checker);
 void check_pictures(Checker& checker);  // camera, render, output
 

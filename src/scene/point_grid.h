@@ -30,6 +30,7 @@ class PointGrid {
   // Calls visit(label, point) for every point nearer than `distance`, until it returns true; says whether it did.
   template <class Visit>
   bool any_near(const Vec3& point, double distance, Visit visit) const {
+    if (points_.empty()) return false;
     const glm::i64vec3 home = cell(point);
     const std::int64_t reach_z = flat_ && point.z == 0 ? 0 : 1;
     for (std::int64_t z = -reach_z; z <= reach_z; ++z) {

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "equations/initial_flow.h"
+#include "scene/cells.h"
 #include "scene/geometry.h"
 #include "scene/lattice.h"
 #include "scene/point_grid.h"
@@ -12,8 +13,6 @@
 namespace weir {
 
 namespace {
-
-std::int64_t cells(double length, double dx) { return std::max<std::int64_t>(1, std::llround(length / dx)); }
 
 // Where the sampled volume turns about: a box's particles may reach a little further than the box, or less far.
 Vec3 turning_center(const Shape& shape, int dimension, double dx) {
@@ -98,13 +97,36 @@ std::vector<Vec3> sample_volume(const Shape& shape, int dimension, double dx) {
   return points;
 }
 
+std::int64_t count_fluid(const Scene& scene) {
+  std::int64_t count = 0;
+  for (const Volume& volume : scene.fluid.volumes) {
+    count += Lattice(volume.shape, scene.dimension, scene.particle_spacing).count();
+  }
+  return count;
+}
+
+std::vector<Vec3> sample_walls(const Scene& scene) {
+  const double dx = scene.particle_spacing;
+  const Period period(scene);
+  PointGrid earlier(wall_merge_distance * dx);  // walls; within one wall, particles keep that distance by themselves
+  std::vector<Vec3> points;
+  for (const Wall& wall : scene.walls) {
+    const std::size_t first = points.size();
+    for (const Vec3& point : sample_wall(wall, scene.dimension, dx, wall_layers(scene, wall))) {
+      if (period.holds(point) && !earlier.any_near(point, wall_merge_distance * dx)) points.push_back(point);
+    }
+    if (&wall == &scene.walls.back()) break;
+    for (std::size_t i = first; i < points.size(); ++i) earlier.add(points[i], 0);
+  }
+  return points;
+}
+
 Sampling sample(const Scene& scene) {
   Sampling sampling;
   const double dx = scene.particle_spacing;
-  std::int64_t count = 0;
-  for (const Volume& volume : scene.fluid.volumes) count += Lattice(volume.shape, scene.dimension, dx).count();
-  sampling.fluid_positions.reserve(static_cast<std::size_t>(count));
-  sampling.fluid_velocities.reserve(static_cast<std::size_t>(count));
+  const auto count = static_cast<std::size_t>(count_fluid(scene));
+  sampling.fluid_positions.reserve(count);
+  sampling.fluid_velocities.reserve(count);
   const Period period(scene);
   for (std::size_t i = 0; i < scene.fluid.volumes.size(); ++i) {
     const Volume& volume = scene.fluid.volumes[i];
@@ -116,14 +138,7 @@ Sampling sample(const Scene& scene) {
       sampling.fluid_velocities.push_back(initial_velocity(volume, point, center));
     });
   }
-  PointGrid kept(wall_merge_distance * dx);
-  for (const Wall& wall : scene.walls) {
-    for (const Vec3& point : sample_wall(wall, scene.dimension, dx, wall_layers(scene, wall))) {
-      if (!period.holds(point) || kept.any_near(point, wall_merge_distance * dx)) continue;
-      kept.add(point, 0);
-      sampling.wall_positions.push_back(point);
-    }
-  }
+  sampling.wall_positions = sample_walls(scene);
   return sampling;
 }
 

@@ -1,5 +1,4 @@
-// Where the particles of volumes are: in shapes, near each other, near points. Asked row by row; along a row only the
-// nodes beside a shape's boundary are looked at one by one, for the rest follows from them.
+// Where the particles of volumes are: in shapes, near each other, near points. Asked of lattices, which store none.
 #pragma once
 
 #include <vector>
