@@ -15,80 +15,17 @@
 //   not_built(key, empty, meaning)     a reserved key, of which only the empty form is accepted
 #pragma once
 
-#include <array>
-#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 #include "scene/scene.h"
+#include "scene/settings.h"
+#include "scene/spec.h"
 
 namespace weir {
 
 inline constexpr int format_version = 1;
-
-struct Range {
-  double min = -std::numeric_limits<double>::infinity();
-  double max = std::numeric_limits<double>::infinity();
-  bool above = false;  // `min` itself is not allowed
-};
-inline constexpr Range positive{0, std::numeric_limits<double>::infinity(), true};
-inline constexpr Range not_negative{0, std::numeric_limits<double>::infinity(), false};
-
-struct Spec {
-  std::string_view meaning;
-  std::string_view unit = {};
-  Range range = {};
-  bool required = false;
-  int multiple = 1;  // whole numbers: of what
-  int least = 0;     // lists: elements at least
-};
-
-// One of several keys, holding a map that describes a T; `dimension` 0: any.
-template <class T>
-struct Named {
-  std::string_view key;
-  std::string_view meaning;
-  int dimension = 0;
-};
-// One of several keys, holding a number.
-template <class T>
-struct Leaf {
-  std::string_view key;
-  double T::*member;
-  Spec spec;
-};
-// One of several forms of a value.
-template <class T>
-struct Word {
-  std::string_view word;
-};
-template <class T>
-struct Map {
-  int dimension = 0;
-};
-
-// A rotation: a number in 2D, a vector in 3D.
-struct Spin {
-  Vec3& value;
-};
-// What files and folders are called by.
-struct FileName {
-  std::string& value;
-};
-// A number, or a word that stands for one.
-template <class T>
-struct OrWord {
-  T& value;
-  T stands_for;
-  std::string_view word;
-};
-// Two increasing numbers, or `auto`.
-struct AutoRange {
-  std::optional<std::array<double, 2>>& value;
-};
-
-enum class EmptyForm { list, off, none };  // [], false, not even that
 
 inline Vec3 default_gravity(int dimension) { return dimension == 3 ? Vec3(0, 0, -9.81) : Vec3(0, -9.81, 0); }
 
@@ -156,16 +93,13 @@ template <class V>
 void describe(V& v, Viscosity& viscosity) {
   v.field("model", viscosity.model,
           Spec{.meaning = "form of the viscous term; hinsch2024 is the printed form, kept for comparison"});
-  v.field("kinematic", viscosity.kinematic,
-          Spec{.meaning = "kinematic viscosity", .unit = "m^2/s", .range = not_negative});
+  v.field("kinematic", viscosity.kinematic, viscosity_spec);
 }
 
 template <class V>
 void describe(V& v, SurfaceTension& tension) {
   v.field("model", tension.model, Spec{.meaning = "form of the cohesion between fluid particles"});
-  v.field(
-      "coefficient", tension.coefficient,
-      Spec{.meaning = "strength of the cohesion; d is the dimension", .unit = "m^(d+2)/s^2", .range = not_negative});
+  v.field("coefficient", tension.coefficient, surface_tension_spec);
 }
 
 template <class V>
@@ -280,15 +214,8 @@ void describe(V& v, Solver& solver) {
   v.field("density_diffusion", solver.density_diffusion,
           Spec{.meaning = "delta_sph: strength delta of the density diffusion", .unit = "1", .range = not_negative});
   v.group("kernel", "smoothing kernel", [&](auto& sub) { describe(sub, solver.kernel); });
-  v.one_field_of(
-      solver.compressibility,
-      Leaf<Stiffness>{
-          "stiffness", &Stiffness::k,
-          Spec{.meaning = "k of p = k ((rho / rest_density)^exponent - 1)", .unit = "Pa", .range = positive}},
-      Leaf<SoundSpeed>{"sound_speed", &SoundSpeed::c0,
-                       Spec{.meaning = "in place of stiffness: k = rest_density sound_speed^2 / exponent",
-                            .unit = "m/s",
-                            .range = positive}});
+  v.one_field_of(solver.compressibility, Leaf<Stiffness>{"stiffness", &Stiffness::k, stiffness_spec},
+                 Leaf<SoundSpeed>{"sound_speed", &SoundSpeed::c0, sound_speed_spec});
   v.field("exponent", solver.exponent,
           Spec{.meaning = "of the state equation; 7 is Tait's, 1 the linear one", .unit = "1", .range = {1, 7}});
   v.field("negative_pressure", solver.negative_pressure,
@@ -307,15 +234,7 @@ void describe(V& v, Solver& solver) {
 
 template <class V>
 void describe(V& v, Settings& set) {
-  v.field("gravity", set.gravity, Spec{.meaning = "gravity from then on", .unit = "m/s^2"});
-  v.field("fluid.viscosity.kinematic", set.viscosity,
-          Spec{.meaning = "kinematic viscosity from then on", .unit = "m^2/s", .range = not_negative});
-  v.field("fluid.surface_tension.coefficient", set.surface_tension,
-          Spec{.meaning = "strength of the cohesion from then on", .unit = "m^(d+2)/s^2", .range = not_negative});
-  v.field("solver.stiffness", set.stiffness,
-          Spec{.meaning = "stiffness from then on", .unit = "Pa", .range = positive});
-  v.field("solver.sound_speed", set.sound_speed,
-          Spec{.meaning = "sound speed from then on", .unit = "m/s", .range = positive});
+  for_each_setting([&](const auto& row) { v.field(row.key, set.*row.value, row.spec); });
 }
 
 template <class V>
@@ -324,7 +243,7 @@ void describe(V& v, TimelineEvent& event) {
   v.field(
       "over", event.over,
       Spec{.meaning = "length of the linear ramp to the new settings; 0: at once", .unit = "s", .range = not_negative});
-  v.group("set", "settings that change", [&](auto& sub) { describe(sub, event.set); });
+  v.group("set", "settings from then on", [&](auto& sub) { describe(sub, event.set); });
   v.field("reset", event.reset, Spec{.meaning = "particles return to where they began; settings stay"});
   v.field("pause", event.pause, Spec{.meaning = "true: the movie holds; false: it goes on"});
 }
@@ -418,8 +337,7 @@ void describe(V& v, Scene& scene) {
   v.field("dimension", scene.dimension,
           Spec{.meaning = "2 or 3; a vector has that many numbers", .range = {2, 3}, .required = true});
   v.field("duration", scene.duration, Spec{.meaning = "run time", .unit = "s", .range = positive, .required = true});
-  v.field("gravity", scene.gravity,
-          Spec{.meaning = "acceleration of everything; by default downwards, -y in 2D and -z in 3D", .unit = "m/s^2"});
+  v.field("gravity", scene.gravity, gravity_spec);
   v.group("particles", "resolution", [&](auto& sub) {
     sub.field("spacing", scene.particle_spacing,
               Spec{.meaning = "distance dx of particles at rest", .unit = "m", .range = positive, .required = true});

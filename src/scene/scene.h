@@ -164,7 +164,14 @@ struct Solver {
 
 // ---- timeline -----------------------------------------------------------------------------------------------------
 
-// One change at a time; what is not set stays as it is.
+// What a timeline can change during a run.
+struct Parameters {
+  Vec3 gravity{0};             // m/s^2
+  double viscosity = 0;        // nu, m^2/s
+  double surface_tension = 0;  // s of [Hinsch24 Alg. 2], m^(d+2)/s^2
+  double stiffness = 0;        // k, Pa
+};
+// One change of them; what is not set stays as it is. settings.h describes each.
 struct Settings {
   std::optional<Vec3> gravity{};
   std::optional<double> viscosity{};        // fluid.viscosity.kinematic
@@ -267,6 +274,7 @@ int wall_layers(const Scene& scene, const Wall& wall);  // resolves the default
 std::int64_t last_frame(const Scene& scene);            // floor(duration fps): frames are 0 .. last_frame
 double stiffness(const Scene& scene);                   // k, Pa
 double sound_speed(const Scene& scene);                 // c0 = sqrt(exponent k / rho0), m/s
+Parameters initial_parameters(const Scene& scene);
 double max_speed_estimate(const Scene& scene);  // m/s, from initial speeds, gravity and the height it can act over
 bool draws(const Scene& scene);                 // whether any picture is asked for
 bool is_periodic(const Scene& scene, int axis);

@@ -343,6 +343,19 @@ TEST(Scene, DerivesStiffnessAndSoundSpeedFromEachOther) {
   EXPECT_DOUBLE_EQ(stiffness(scene), 7000);
 }
 
+TEST(Scene, StartsFromItsOwnParameters) {
+  Scene scene = scene_in(2);
+  scene.gravity = Vec3(1, 2, 0);
+  scene.fluid.viscosity.kinematic = 3;
+  scene.fluid.surface_tension.coefficient = 4;
+  scene.solver.compressibility = SoundSpeed{7};
+  const Parameters parameters = initial_parameters(scene);
+  EXPECT_EQ(parameters.gravity, Vec3(1, 2, 0));
+  EXPECT_EQ(parameters.viscosity, 3);
+  EXPECT_EQ(parameters.surface_tension, 4);
+  EXPECT_DOUBLE_EQ(parameters.stiffness, 7000);
+}
+
 TEST(Scene, EstimatesTheTopSpeedByFalling) {
   Scene scene = scene_in(2);
   scene.walls = {{Tank{{0, -1, 0}, {3, 2, 0}, {Side::top}}, 2, {}}};

@@ -1,4 +1,4 @@
-// Tables beside the figures.
+// Text files, whole.
 #pragma once
 
 #include <filesystem>
