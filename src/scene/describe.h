@@ -337,7 +337,8 @@ void describe(V& v, Scene& scene) {
   v.field("dimension", scene.dimension,
           Spec{.meaning = "2 or 3; a vector has that many numbers", .range = {2, 3}, .required = true});
   v.field("duration", scene.duration, Spec{.meaning = "run time", .unit = "s", .range = positive, .required = true});
-  v.field("gravity", scene.gravity, gravity_spec);
+  v.field("gravity", scene.gravity,
+          Spec{.meaning = "acceleration of everything; by default downwards, -y in 2D and -z in 3D", .unit = "m/s^2"});
   v.group("particles", "resolution", [&](auto& sub) {
     sub.field("spacing", scene.particle_spacing,
               Spec{.meaning = "distance dx of particles at rest", .unit = "m", .range = positive, .required = true});

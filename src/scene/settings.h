@@ -9,8 +9,7 @@
 
 namespace weir {
 
-inline constexpr Spec gravity_spec{.meaning = "acceleration of everything; by default downwards, -y in 2D and -z in 3D",
-                                   .unit = "m/s^2"};
+inline constexpr Spec gravity_spec{.meaning = "acceleration of everything", .unit = "m/s^2"};
 inline constexpr Spec viscosity_spec{.meaning = "kinematic viscosity", .unit = "m^2/s", .range = not_negative};
 inline constexpr Spec surface_tension_spec{
     .meaning = "strength of the cohesion; d is the dimension", .unit = "m^(d+2)/s^2", .range = not_negative};
