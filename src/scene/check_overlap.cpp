@@ -1,4 +1,4 @@
-// Volumes and walls against each other, judged by their particles; those of fluid are not stored.
+// Overlaps of volumes and walls, found by comparing their particles; fluid particles are not stored.
 #include <algorithm>
 #include <optional>
 
@@ -19,7 +19,7 @@ namespace {
 constexpr double too_near = 0.49;  // dx
 constexpr double slack = 1e-6;     // dx, for rounding
 
-// A closed outline's inside, and whether that is where the solid is.
+// The region within a closed outline, and whether the solid fills it.
 struct Outline {
   Shape shape;
   bool solid_inside;
@@ -61,20 +61,20 @@ class Overlap {
         dimension_(scene_.dimension),
         dx_(scene_.particle_spacing) {}
 
-  void judge() {
+  void report() {
     for (std::size_t i = 0; i < scene_.fluid.volumes.size(); ++i) {
       if (!checker_.usable(volume_path(i))) continue;
       Lattice lattice(scene_.fluid.volumes[i].shape, dimension_, dx_);
       if (!lattice.empty()) fluid_.push_back({i, std::move(lattice), {}, false});
     }
     for (const Fluid& fluid : fluid_) reach_ = around(reach_, grown(fluid.lattice.bounds(), dx_));
-    for (std::size_t i = 0; i < scene_.walls.size(); ++i) judge_wall(i);
+    for (std::size_t i = 0; i < scene_.walls.size(); ++i) find_overlaps_with_wall(i);
     for (Fluid& fluid : fluid_) {
-      judge_overlap(fluid);
+      report_overlap(fluid);
       for (const std::size_t wall : fluid.walls) {
         checker_.add(volume_path(scene_, fluid.index), fmt::format("reaches into {}", wall_path(scene_, wall)));
       }
-      judge_outside(fluid);
+      report_outside(fluid);
     }
   }
 
@@ -87,7 +87,7 @@ class Overlap {
     bool distinct = false;           // overlaps no volume before it
   };
 
-  void judge_wall(std::size_t index) {
+  void find_overlaps_with_wall(std::size_t index) {
     if (!checker_.usable(wall_path(index))) {
       all_walls_ = false;
       return;
@@ -106,7 +106,7 @@ class Overlap {
     }
   }
 
-  void judge_overlap(Fluid& fluid) {
+  void report_overlap(Fluid& fluid) {
     std::vector<std::size_t> met;
     for (const Fluid& other : fluid_) {
       if (&other == &fluid) break;
@@ -129,7 +129,7 @@ class Overlap {
     return boxes || any_inside(a, b.shape()) || any_inside(b, a.shape());
   }
 
-  void judge_outside(const Fluid& fluid) {
+  void report_outside(const Fluid& fluid) {
     if (containers_.empty() || !all_walls_) return;
     const Outsiders outside = outside_all(fluid.lattice, containers_);
     if (outside.count == 0) return;
@@ -158,7 +158,7 @@ class Overlap {
 }  // namespace
 
 void check_overlap(Checker& checker) {
-  if (checker.usable("particles.spacing", "solver.kernel")) Overlap(checker).judge();
+  if (checker.usable("particles.spacing", "solver.kernel")) Overlap(checker).report();
 }
 
 }  // namespace weir

@@ -1,4 +1,4 @@
-// What the files of rules share.
+// Shared by the files of rules.
 #pragma once
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ class Checker {
     violations_.push_back({std::move(path), std::move(message)});
   }
   std::vector<Violation> take() { return std::move(violations_); }
-  // Whether the values at all these paths are there and, as far as rules went until now, right.
+  // Whether the values at all these paths were read and no rule so far has refused them.
   template <class... Path>
   bool usable(const Path&... paths) const {
     return (usable_one(std::string(paths)) && ...);

@@ -1,5 +1,4 @@
-// The field table: how each field of scene.h is called in a file, its unit, range and meaning; defaults are those of
-// the structs. Reader, writer, schema and reference are visitors over this one table and so cannot disagree.
+// The field table: key, unit, range and meaning of each field of scene.h; defaults are those of the structs. Reader, writer, schema and reference are visitors over this one table and so cannot disagree.
 //
 // A visitor has
 //   field(key, value, spec)            a leaf: number, word, vector, list of those
@@ -108,7 +107,8 @@ void describe(V& v, Fluid& fluid) {
           Spec{.meaning = "density at zero pressure", .unit = "kg/m^3", .range = positive});
   v.group("viscosity", "viscous force", [&](auto& sub) { describe(sub, fluid.viscosity); });
   v.group("surface_tension", "surface tension", [&](auto& sub) { describe(sub, fluid.surface_tension); });
-  v.list("volumes", fluid.volumes, Spec{.meaning = "where the fluid is at the start", .required = true, .least = 1});
+  v.list("volumes", fluid.volumes,
+         Spec{.meaning = "shapes that are filled with fluid at the start", .required = true, .least = 1});
 }
 
 // ---- walls --------------------------------------------------------------------------------------------------------
@@ -244,7 +244,7 @@ void describe(V& v, TimelineEvent& event) {
       "over", event.over,
       Spec{.meaning = "length of the linear ramp to the new settings; 0: at once", .unit = "s", .range = not_negative});
   v.group("set", "settings from then on", [&](auto& sub) { describe(sub, event.set); });
-  v.field("reset", event.reset, Spec{.meaning = "particles return to where they began; settings stay"});
+  v.field("reset", event.reset, Spec{.meaning = "particles return to their initial state; settings stay"});
   v.field("pause", event.pause, Spec{.meaning = "true: the movie holds; false: it goes on"});
 }
 
@@ -252,15 +252,15 @@ void describe(V& v, TimelineEvent& event) {
 
 template <class V>
 void describe(V& v, View2D& view) {
-  v.field("center", view.center, Spec{.meaning = "middle of the picture (2D)", .unit = "m", .required = true});
+  v.field("center", view.center, Spec{.meaning = "centre of the visible region (2D)", .unit = "m", .required = true});
   v.field("width", view.width,
-          Spec{.meaning = "what is visible across the picture (2D)", .unit = "m", .range = positive, .required = true});
+          Spec{.meaning = "width of the visible region (2D)", .unit = "m", .range = positive, .required = true});
 }
 
 template <class V>
 void describe(V& v, View3D& view) {
-  v.field("eye", view.eye, Spec{.meaning = "where the camera is (3D)", .unit = "m", .required = true});
-  v.field("target", view.target, Spec{.meaning = "what it looks at (3D)", .unit = "m", .required = true});
+  v.field("eye", view.eye, Spec{.meaning = "position of the camera (3D)", .unit = "m", .required = true});
+  v.field("target", view.target, Spec{.meaning = "point that it looks at (3D)", .unit = "m", .required = true});
   v.field("field_of_view", view.field_of_view,
           Spec{.meaning = "vertical opening angle (3D)", .unit = "degrees", .range = {1, 170}});
 }
@@ -295,7 +295,7 @@ void describe(V& v, Render& render) {
           Spec{.meaning = "width and height of pictures, even", .unit = "pixels", .range = {16, 16384}, .multiple = 2});
   v.field("fps", render.fps, Spec{.meaning = "pictures per second of run time", .unit = "1/s", .range = {1, 1000}});
   v.group("color", "colours of the fluid", [&](auto& sub) { describe(sub, render.color); });
-  v.field("overlay", render.overlay, Spec{.meaning = "what is drawn over the picture"});
+  v.field("overlay", render.overlay, Spec{.meaning = "items drawn over the picture"});
   v.field("theme", render.theme, Spec{.meaning = "background and text"});
   v.field("transparent", render.transparent, Spec{.meaning = "PNG files without background; movies keep theirs"});
   v.field("walls", render.walls, Spec{.meaning = "whether walls are drawn"});
@@ -306,7 +306,7 @@ void describe(V& v, Render& render) {
 template <class V>
 void describe(V& v, Movie& movie) {
   v.field("encoder", movie.encoder,
-          Spec{.meaning = "H.264 encoder by its libav name; auto: libx264, else what is there"});
+          Spec{.meaning = "H.264 encoder by its libav name; auto: libx264, else another one that is installed"});
   v.field("quality", movie.quality,
           Spec{.meaning = "rate factor, for `ultrafast` a quantiser 5 above it; 0 is the best, more is smaller",
                .unit = "1",
@@ -344,19 +344,19 @@ void describe(V& v, Scene& scene) {
               Spec{.meaning = "distance dx of particles at rest", .unit = "m", .range = positive, .required = true});
   });
   v.group("fluid", "the fluid", [&](auto& sub) { describe(sub, scene.fluid); });
-  v.list("walls", scene.walls, Spec{.meaning = "what the fluid cannot cross"});
+  v.list("walls", scene.walls, Spec{.meaning = "solid boundaries"});
   v.field("periodic", scene.periodic,
-          Spec{.meaning = "axes along which what leaves the domain at one end enters it at the other"});
+          Spec{.meaning = "axes along which particles that leave the domain at one end enter it at the other"});
   v.option("domain", scene.domain,
-           "extent along periodic axes, a whole number of spacings; by default what fluid volumes and walls span, "
+           "extent along periodic axes, a whole number of spacings; by default the span of fluid volumes and walls, "
            "without the walls' layers");
   v.not_built("bodies", EmptyForm::list, "rigid bodies");
   v.group("solver", "the method", [&](auto& sub) { describe(sub, scene.solver); });
-  v.list("timeline", scene.timeline, Spec{.meaning = "what changes during the run"});
-  v.group("camera", "what is seen", [&](auto& sub) { describe(sub, scene.camera); });
-  v.group("render", "how pictures look", [&](auto& sub) { describe(sub, scene.render); });
+  v.list("timeline", scene.timeline, Spec{.meaning = "changes during the run"});
+  v.group("camera", "view of the pictures", [&](auto& sub) { describe(sub, scene.camera); });
+  v.group("render", "appearance of the pictures", [&](auto& sub) { describe(sub, scene.render); });
   v.not_built("probes", EmptyForm::list, "probes");
-  v.group("output", "what is written", [&](auto& sub) { describe(sub, scene.output); });
+  v.group("output", "files that are written", [&](auto& sub) { describe(sub, scene.output); });
 }
 
 }  // namespace weir

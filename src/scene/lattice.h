@@ -1,4 +1,4 @@
-// The particles of one volume by their numbers along the axes. None is stored: of ten million, a row is two numbers.
+// The particles of one volume as a lattice: rows of nodes by their first and last column. No particle is stored.
 #pragma once
 
 #include <algorithm>
@@ -26,10 +26,10 @@ class Lattice {
   const glm::i64vec3& size() const { return size_; }  // nodes in the box around all particles; some may be empty
 
   Vec3 point(const glm::i64vec3& node) const { return base_ + dx_ * (Vec3(node) + shift_); }
-  // Where along an axis a coordinate lies, in nodes.
+  // Node number of a coordinate along an axis; not rounded.
   double node_at(int axis, double coordinate) const { return (coordinate - base_[axis]) / dx_ - shift_[axis]; }
 
-  // What the row at (any, y, z) holds, from left to right.
+  // Runs of nodes in the row at (any, y, z), from left to right.
   void runs(std::int64_t y, std::int64_t z, std::vector<Run>& result) const;
   std::int64_t count() const;
   bool empty() const;

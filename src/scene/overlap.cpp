@@ -10,7 +10,7 @@ namespace weir {
 
 namespace {
 
-// Whether points lie inside a shape. What a polygon has of a row is worked out once for all points of the row.
+// Whether points lie inside a shape. A polygon's crossings with a row are computed once for all points of the row.
 class Inside {
  public:
   Inside(const Shape& shape, int dimension) : shape_(&shape), dimension_(dimension) {}
@@ -54,7 +54,7 @@ glm::i64vec3 nearest_node(const Lattice& lattice, const Vec3& point) {
 
 bool nearer(const Vec3& a, const Vec3& b, double distance) { return glm::dot(a - b, a - b) < distance * distance; }
 
-// The runs of the row asked for last.
+// Caches the runs of the last row.
 class RowMemory {
  public:
   explicit RowMemory(const Lattice& lattice) : lattice_(lattice) {}

@@ -14,7 +14,7 @@ namespace weir {
 
 namespace {
 
-// Where the sampled volume turns about: a box's particles may reach a little further than the box, or less far.
+// Centre of rotation of the sampled volume: the particles of a box may reach a little further than the box, or less far.
 Vec3 turning_center(const Shape& shape, int dimension, double dx) {
   const auto* box = std::get_if<Box>(&shape);
   if (box == nullptr) return shape_center(shape);
@@ -25,8 +25,8 @@ Vec3 turning_center(const Shape& shape, int dimension, double dx) {
   return center;
 }
 
-// Moves particles by up to some length along each axis: as random numbers are the generator's own bits, the same on
-// every machine.
+// Uniform random moves of up to `length` along each axis. They are made of the generator's own bits, which the C++
+// standard fixes: the same on every machine.
 class Perturbation {
  public:
   Perturbation(std::uint32_t seed, double length, int dimension)

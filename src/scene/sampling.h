@@ -11,7 +11,7 @@ namespace weir {
 struct Sampling {
   std::vector<Vec3> fluid_positions;   // m; the first lies dx/2 inside the faces
   std::vector<Vec3> fluid_velocities;  // m/s, same length
-  std::vector<Vec3> wall_positions;    // m; the first layer lies dx/2 behind the faces, nearest first does not matter
+  std::vector<Vec3> wall_positions;    // m; the first layer lies dx/2 behind the faces, in no order of depth
 };
 Sampling sample(const Scene& scene);
 

@@ -1,4 +1,4 @@
-// The settings that timeline events can change, in one table: it describes the keys of `set`, and rules run over it.
+// The settings of timeline events in one table: keys of `set`, their description, and the parameter that each changes.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ inline constexpr Spec stiffness_spec{
 inline constexpr Spec sound_speed_spec{
     .meaning = "in place of stiffness: k = rest_density sound_speed^2 / exponent", .unit = "m/s", .range = positive};
 
-// What a setting acts on: the members of Parameters.
+// The member of Parameters that a setting changes.
 enum class Parameter { gravity, viscosity, surface_tension, stiffness };
 inline constexpr std::size_t parameter_count = 4;
 

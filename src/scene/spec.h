@@ -1,4 +1,4 @@
-// What the field table says of a field beside its key: unit, range, meaning, and the forms that a value can have.
+// Entries of the field table beside the key: unit, range, meaning, and the forms of a value.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ struct Spec {
   std::string_view unit = {};
   Range range = {};
   bool required = false;
-  int multiple = 1;  // whole numbers: of what
+  int multiple = 1;  // whole numbers: a multiple of this
   int least = 0;     // lists: elements at least
 };
 
@@ -55,7 +55,7 @@ struct Map {
 struct Spin {
   Vec3& value;
 };
-// What files and folders are called by.
+// A name of files and folders.
 struct FileName {
   std::string& value;
 };

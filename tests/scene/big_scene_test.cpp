@@ -56,7 +56,7 @@ TEST(BigScene, BoxInATank) {
   expect_count(scene, 10'000'000, 8004 * 4002 - 8000 * 4000);
 }
 
-TEST(BigScene, BoxInATankInSpace) {
+TEST(BigScene, BoxInATankIn3D) {
   const Scene scene = scene_of(3, {Box{{0, 0, 0}, {250, 200, 200}}}, {Tank{{0, 0, 0}, {400, 200, 300}, {}}});
   EXPECT_THAT(said(scene), IsEmpty());
   expect_count(scene, 10'000'000, 404 * 204 * 304 - 400 * 200 * 300);

@@ -1,4 +1,4 @@
-// The README's scene reference is what the field table says.
+// The README's scene reference is that of the field table.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -76,7 +76,7 @@ TEST(Readme, HoldsTheSceneReference) {
     std::ofstream("README.md") << readme.substr(0, begin) << reference() << readme.substr(end);
     return;
   }
-  EXPECT_EQ(readme.substr(begin, end - begin), reference()) << "WEIR_BLESS=1 writes it anew";
+  EXPECT_EQ(readme.substr(begin, end - begin), reference()) << "WEIR_BLESS=1 rewrites it";
 }
 
 TEST(Readme, ShowsTextAsItIs) {
