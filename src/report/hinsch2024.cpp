@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "core/write_text.h"
 #include "report/scenes.h"
-#include "report/write_text.h"
 
 namespace weir {
 

@@ -9,9 +9,9 @@
 #include "core/stopwatch.h"
 #include "core/thread_pool.h"
 #include "core/trace.h"
+#include "core/write_text.h"
 #include "report/median.h"
 #include "report/scenes.h"
-#include "report/write_text.h"
 
 namespace weir {
 

@@ -14,7 +14,7 @@ std::vector<Violation> check(const Scene& scene, const Unread& unread) {
   check_geometry(checker);
   check_periodic(checker);
   check_solver(checker);
-  check_meeting(checker);
+  check_overlap(checker);
   check_timeline(checker);
   check_pictures(checker);
   return checker.take();

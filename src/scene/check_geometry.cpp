@@ -1,4 +1,4 @@
-// Volumes and walls, each by itself, and how many particles they make.
+// Volumes and walls, each by itself, and their number of particles.
 #include <algorithm>
 #include <cmath>
 
@@ -25,7 +25,7 @@ constexpr double max_particles = 2147483647.0;
 
 constexpr std::string_view axes = "xyz";
 
-void judge_reach(Checker& checker, const Vec3& point, double radius, const std::string& path) {
+void check_reach(Checker& checker, const Vec3& point, double radius, const std::string& path) {
   if (!checker.usable(path, "particles.spacing")) return;
   const double dx = checker.scene.particle_spacing;
   const double reach = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)}) + radius;
@@ -58,13 +58,13 @@ class ShapeRules {
     if (!flat_only() || !few(line.points)) return;
     const std::size_t n = line.points.size();
     for (std::size_t i = 1; i < n; ++i) {
-      if (same_place(line.points[i], line.points[i - 1])) {
+      if (coincide(line.points[i], line.points[i - 1])) {
         return checker_.add(fmt::format("{}.points.{}", path_, i), "repeats the point before it");
       }
     }
     if (line.closed && n < 3) return checker_.add(path_ + ".points", "needs at least 3 points to close");
-    // The first point once more is another way to write a closed line; one next to it makes a piece of no direction.
-    if (line.closed && line.points[n - 1] != line.points[0] && same_place(line.points[n - 1], line.points[0])) {
+    // A repeated first point also closes the line; a point close to it makes a segment without direction.
+    if (line.closed && line.points[n - 1] != line.points[0] && coincide(line.points[n - 1], line.points[0])) {
       return checker_.add(fmt::format("{}.points.{}", path_, n - 1), "repeats the first point");
     }
     if (line.closed) simple(line.points);
@@ -107,12 +107,12 @@ class ShapeRules {
                                                       number_text(max[axis])));
     }
   }
-  // Nearer than any particle can tell; a piece between such points has no direction that could be computed.
-  bool same_place(const Vec3& a, const Vec3& b) const {
+  // Too near for particles to resolve; a segment between such points has no computable direction.
+  bool coincide(const Vec3& a, const Vec3& b) const {
     const double spacing = checker_.usable("particles.spacing") ? checker_.scene.particle_spacing : 0;
     return glm::length(a - b) <= 1e-6 * spacing;
   }
-  void within_reach(const Vec3& point, double radius) { judge_reach(checker_, point, radius, path_); }
+  void within_reach(const Vec3& point, double radius) { check_reach(checker_, point, radius, path_); }
   void simple(const std::vector<Vec3>& points) {
     const std::size_t n = points.size();
     for (std::size_t i = 0; i < n; ++i) {
@@ -211,8 +211,8 @@ void check_geometry(Checker& checker) {
     if (checker.usable(wall_path(i))) check_wall(checker, scene.walls[i], wall_path(scene, i));
   }
   if (scene.domain) {
-    judge_reach(checker, scene.domain->min, 0, "domain");
-    judge_reach(checker, scene.domain->max, 0, "domain");
+    check_reach(checker, scene.domain->min, 0, "domain");
+    check_reach(checker, scene.domain->max, 0, "domain");
   }
   if (checker.usable("particles.spacing", "solver.kernel")) check_number(checker);
   check_span(checker);

@@ -1,4 +1,4 @@
-// Periodic axes, the domain, and what must fit them.
+// Periodic axes and the domain: lengths, fluid volumes and tanks.
 #include <algorithm>
 #include <cmath>
 
@@ -38,8 +38,8 @@ class PeriodicRules {
  public:
   explicit PeriodicRules(Checker& checker) : checker_(checker), scene_(checker.scene) {}
 
-  void judge() {
-    axes();
+  void check() {
+    check_axes();
     if (!checker_.usable("periodic", "domain")) return;
     if (scene_.periodic.empty()) {
       if (scene_.domain) {
@@ -47,15 +47,15 @@ class PeriodicRules {
       }
       return;
     }
-    if (scene_.domain) corners(*scene_.domain);
+    if (scene_.domain) check_corners(*scene_.domain);
     if (!checker_.usable("periodic", "domain", "particles.spacing", "fluid.volumes", "walls")) return;
     for (int axis = 0; axis < scene_.dimension; ++axis) {
-      if (is_periodic(scene_, axis)) along(axis);
+      if (is_periodic(scene_, axis)) check_along(axis);
     }
   }
 
  private:
-  void axes() {
+  void check_axes() {
     for (std::size_t i = 0; i < scene_.periodic.size(); ++i) {
       const auto axis = scene_.periodic.begin() + static_cast<std::ptrdiff_t>(i);
       if (scene_.dimension == 2 && *axis == Axis::z) {
@@ -66,7 +66,7 @@ class PeriodicRules {
     }
   }
 
-  void corners(const Bounds& domain) {
+  void check_corners(const Bounds& domain) {
     for (int axis = 0; axis < scene_.dimension; ++axis) {
       if (domain.min[axis] < domain.max[axis]) continue;
       return checker_.add("domain.max",
@@ -75,7 +75,7 @@ class PeriodicRules {
     }
   }
 
-  void along(int axis) {
+  void check_along(int axis) {
     const Bounds extent = periodic_extent(scene_);
     const double dx = scene_.particle_spacing;
     const double length = extent.max[axis] - extent.min[axis];
@@ -90,13 +90,13 @@ class PeriodicRules {
                             length, axis_name(axis), least));
     }
     if (!checker_.usable(path)) return;
-    for (std::size_t i = 0; i < scene_.fluid.volumes.size(); ++i) volume(i, axis, extent);
+    for (std::size_t i = 0; i < scene_.fluid.volumes.size(); ++i) check_volume(i, axis, extent);
     for (std::size_t i = 0; i < scene_.walls.size(); ++i) {
-      if (const auto* tank = std::get_if<Tank>(&scene_.walls[i].shape)) judge(*tank, wall_path(scene_, i), axis);
+      if (const auto* tank = std::get_if<Tank>(&scene_.walls[i].shape)) check_tank(*tank, wall_path(scene_, i), axis);
     }
   }
 
-  void volume(std::size_t index, int axis, const Bounds& extent) {
+  void check_volume(std::size_t index, int axis, const Bounds& extent) {
     const Bounds box = shape_bounds(scene_.fluid.volumes[index].shape, scene_.dimension);
     const double margin = slack * scene_.particle_spacing;
     if (box.min[axis] >= extent.min[axis] - margin && box.max[axis] <= extent.max[axis] + margin) return;
@@ -106,7 +106,7 @@ class PeriodicRules {
                              axis_name(axis), box.min[axis], box.max[axis], extent.min[axis], extent.max[axis]));
   }
 
-  void judge(const Tank& tank, const std::string& path, int axis) {
+  void check_tank(const Tank& tank, const std::string& path, int axis) {
     std::string closed;
     for (const Side side : tank_sides(axis, scene_.dimension)) {
       if (!is_open(tank, side)) closed += fmt::format("{}{}", closed.empty() ? "" : " and ", name_of(side));
@@ -126,6 +126,6 @@ class PeriodicRules {
 
 }  // namespace
 
-void check_periodic(Checker& checker) { PeriodicRules(checker).judge(); }
+void check_periodic(Checker& checker) { PeriodicRules(checker).check(); }
 
 }  // namespace weir

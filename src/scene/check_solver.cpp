@@ -1,4 +1,4 @@
-// What settings of the solver and of walls demand of each other.
+// Settings of the solver and of walls that require each other.
 #include "scene/checker.h"
 #include "scene/names.h"
 #include "scene/paths.h"

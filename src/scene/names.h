@@ -1,5 +1,4 @@
-// How every choice is called in a file. Choices that the format reserves but the program lacks are listed too, so that
-// they are refused by name.
+// Words for choices in a file. Reserved choices that are not built are listed too, so that they are refused by name.
 #pragma once
 
 #include <algorithm>

@@ -9,7 +9,7 @@ namespace weir {
 
 namespace {
 
-// Moves what has a position by -origin.
+// Moves positions by -origin.
 class Mover {
  public:
   explicit Mover(const Vec3& origin) : origin_(origin) {}

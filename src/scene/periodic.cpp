@@ -1,4 +1,4 @@
-// What periodic axes mean for a scene.
+// Periodic axes and their period.
 #include <algorithm>
 
 #include "scene/scene.h"

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "equations/initial_flow.h"
+#include "scene/cells.h"
 #include "scene/geometry.h"
 #include "scene/lattice.h"
 #include "scene/point_grid.h"
@@ -13,9 +14,7 @@ namespace weir {
 
 namespace {
 
-std::int64_t cells(double length, double dx) { return std::max<std::int64_t>(1, std::llround(length / dx)); }
-
-// Where the sampled volume turns about: a box's particles may reach a little further than the box, or less far.
+// Centre of rotation of the sampled volume: the particles of a box may reach a little further than the box, or less far.
 Vec3 turning_center(const Shape& shape, int dimension, double dx) {
   const auto* box = std::get_if<Box>(&shape);
   if (box == nullptr) return shape_center(shape);
@@ -26,8 +25,8 @@ Vec3 turning_center(const Shape& shape, int dimension, double dx) {
   return center;
 }
 
-// Moves particles by up to some length along each axis: as random numbers are the generator's own bits, the same on
-// every machine.
+// Uniform random moves of up to `length` along each axis. They are made of the generator's own bits, which the C++
+// standard fixes: the same on every machine.
 class Perturbation {
  public:
   Perturbation(std::uint32_t seed, double length, int dimension)
@@ -98,13 +97,37 @@ std::vector<Vec3> sample_volume(const Shape& shape, int dimension, double dx) {
   return points;
 }
 
+std::int64_t count_fluid(const Scene& scene) {
+  std::int64_t count = 0;
+  for (const Volume& volume : scene.fluid.volumes) {
+    count += Lattice(volume.shape, scene.dimension, scene.particle_spacing).count();
+  }
+  return count;
+}
+
+std::vector<Vec3> sample_walls(const Scene& scene, std::vector<std::size_t>* ends) {
+  const double dx = scene.particle_spacing;
+  const Period period(scene);
+  PointGrid earlier(wall_merge_distance * dx);  // walls; within one wall, particles keep that distance by themselves
+  std::vector<Vec3> points;
+  for (const Wall& wall : scene.walls) {
+    const std::size_t first = points.size();
+    for (const Vec3& point : sample_wall(wall, scene.dimension, dx, wall_layers(scene, wall))) {
+      if (period.holds(point) && !earlier.any_near(point, wall_merge_distance * dx)) points.push_back(point);
+    }
+    if (ends != nullptr) ends->push_back(points.size());
+    if (&wall == &scene.walls.back()) break;
+    for (std::size_t i = first; i < points.size(); ++i) earlier.add(points[i], 0);
+  }
+  return points;
+}
+
 Sampling sample(const Scene& scene) {
   Sampling sampling;
   const double dx = scene.particle_spacing;
-  std::int64_t count = 0;
-  for (const Volume& volume : scene.fluid.volumes) count += Lattice(volume.shape, scene.dimension, dx).count();
-  sampling.fluid_positions.reserve(static_cast<std::size_t>(count));
-  sampling.fluid_velocities.reserve(static_cast<std::size_t>(count));
+  const auto count = static_cast<std::size_t>(count_fluid(scene));
+  sampling.fluid_positions.reserve(count);
+  sampling.fluid_velocities.reserve(count);
   const Period period(scene);
   for (std::size_t i = 0; i < scene.fluid.volumes.size(); ++i) {
     const Volume& volume = scene.fluid.volumes[i];
@@ -117,16 +140,12 @@ Sampling sample(const Scene& scene) {
     });
     sampling.volume_ends.push_back(static_cast<std::int32_t>(sampling.fluid_positions.size()));
   }
+  std::vector<std::size_t> ends;
+  sampling.wall_positions = sample_walls(scene, &ends);
   const bool slides =
       std::any_of(scene.walls.begin(), scene.walls.end(), [](const Wall& wall) { return wall.slide != Vec3(0); });
-  PointGrid kept(wall_merge_distance * dx);
-  for (const Wall& wall : scene.walls) {
-    for (const Vec3& point : sample_wall(wall, scene.dimension, dx, wall_layers(scene, wall))) {
-      if (!period.holds(point) || kept.any_near(point, wall_merge_distance * dx)) continue;
-      kept.add(point, 0);
-      sampling.wall_positions.push_back(point);
-      if (slides) sampling.wall_slides.push_back(wall.slide);
-    }
+  if (slides) {
+    for (std::size_t k = 0; k < ends.size(); ++k) sampling.wall_slides.resize(ends[k], scene.walls[k].slide);
   }
   return sampling;
 }

@@ -1,5 +1,5 @@
-// The scene: everything that a run is told, as plain data. SI units. Tests build it here, in C++; describe.h says how
-// each field is called in a file, what it may be and what it means.
+// The scene: everything that a run is told, as plain data. SI units. Tests build it here, in C++; describe.h gives
+// the key, range and meaning of each field.
 //
 // A vector has three components whatever the dimension; in 2D, z is 0 and is neither read nor written.
 #pragma once
@@ -163,7 +163,14 @@ struct Solver {
 
 // ---- timeline -----------------------------------------------------------------------------------------------------
 
-// One change at a time; what is not set stays as it is.
+// Parameters that a timeline can change during a run.
+struct Parameters {
+  Vec3 gravity{0};             // m/s^2
+  double viscosity = 0;        // nu, m^2/s
+  double surface_tension = 0;  // s of [Hinsch24 Alg. 2], m^(d+2)/s^2
+  double stiffness = 0;        // k, Pa
+};
+// One change of them; unset ones stay. settings.h describes each.
 struct Settings {
   std::optional<Vec3> gravity{};
   std::optional<double> viscosity{};        // fluid.viscosity.kinematic
@@ -247,7 +254,7 @@ struct Scene {
   double particle_spacing = 0;  // dx, m
   Fluid fluid;
   std::vector<Wall> walls;
-  std::vector<Axis> periodic;    // what leaves at one end enters at the other
+  std::vector<Axis> periodic;    // particles that leave at one end enter at the other
   std::optional<Bounds> domain;  // m; along periodic axes, else without meaning
   Solver solver;
   std::vector<TimelineEvent> timeline;
@@ -256,7 +263,7 @@ struct Scene {
   Output output;
 };
 
-// ---- what follows from a scene ------------------------------------------------------------------------------------
+// ---- derived quantities -------------------------------------------------------------------------------------------
 
 double smoothing_length(const Scene& scene);            // h, m
 double support_radius(const Scene& scene);              // 2 h for both kernels, m
@@ -265,6 +272,7 @@ int wall_layers(const Scene& scene, const Wall& wall);  // resolves the default
 std::int64_t last_frame(const Scene& scene);            // floor(duration fps): frames are 0 .. last_frame
 double stiffness(const Scene& scene);                   // k, Pa
 double sound_speed(const Scene& scene);                 // c0 = sqrt(exponent k / rho0), m/s
+Parameters initial_parameters(const Scene& scene);
 double max_speed_estimate(const Scene& scene);  // m/s, from initial speeds, gravity and the height it can act over
 bool draws(const Scene& scene);                 // whether any picture is asked for
 bool is_periodic(const Scene& scene, int axis);

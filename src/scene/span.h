@@ -1,4 +1,4 @@
-// The box around all that a scene consists of.
+// Bounding boxes of walls and of a scene.
 #pragma once
 
 #include "scene/scene.h"

@@ -45,7 +45,7 @@ std::vector<std::string> said_of_walls(std::vector<Wall> walls, int dimension = 
   return said(scene);
 }
 
-TEST(Check, AcceptsWhatIsRight) {
+TEST(Check, AcceptsValidScenes) {
   EXPECT_THAT(said(scene_in(2)), IsEmpty());
   EXPECT_THAT(said(scene_in(3)), IsEmpty());
   EXPECT_THAT(said_of_walls({{Tank{{0, 0, 0}, {3, 2, 0}, {Side::top}}, 2, {}}}), IsEmpty());
@@ -109,7 +109,7 @@ TEST(Check, NamesBothVolumesThatOverlap) {
   EXPECT_THAT(with_second(Polygon{{{1, 0.5, 0}, {2, 0, 0}, {2, 1, 0}}}), IsEmpty());
 }
 
-TEST(Check, NamesEachOfManyVolumesInOnePlace) {
+TEST(Check, NamesEachOfManyCoincidingVolumes) {
   Scene scene = scene_in(2);
   scene.fluid.volumes.assign(400, {Ball{{0, 0, 0}, 2}, Vec3(0), Vec3(0)});
   const std::vector<std::string> all = said(scene);  // minutes, were each compared with each by its particles
@@ -152,7 +152,7 @@ TEST(Check, RefusesFluidInWalls) {
   }
 }
 
-TEST(Check, RefusesShapesThatAreNone) {
+TEST(Check, RefusesDegenerateShapes) {
   EXPECT_THAT(said_of_shape(Box{{0, 1, 0}, {1, 0, 0}}),
               ElementsAre("fluid.volumes.0.box.max must lie above min along y: min is 1, max is 0"));
   EXPECT_THAT(said_of_shape(Box{{0, 0, 0}, {1, 0.05, 0}}),
@@ -240,7 +240,7 @@ TEST(Check, SamplesThinShapesOfAnyLengthInTime) {
   EXPECT_THAT(said_of_walls({{Block{{2, 0, 0}, {1e3, 1e3, 0}}, 2, {}}}), IsEmpty());
 }
 
-TEST(Check, JudgesTimelines) {
+TEST(Check, RefusesInvalidTimelines) {
   Scene scene = scene_in(2);
   const auto event = [](double at, double over, const Settings& set) {
     return TimelineEvent{at, over, set, false, {}};
@@ -284,7 +284,7 @@ TEST(Check, JudgesTimelines) {
               ElementsAre("timeline.0.set.solver.sound_speed stands beside solver.stiffness; give one of them"));
 }
 
-TEST(Check, JudgesCameras) {
+TEST(Check, RefusesInvalidCameras) {
   Scene scene = scene_in(2);
   scene.camera.view = View3D{{0, 0, 5}, {0, 0, 0}, 35};
   EXPECT_THAT(said(scene), ElementsAre("camera.view is a view of a 3D scene; a 2D scene needs center and width"));
@@ -300,7 +300,7 @@ TEST(Check, JudgesCameras) {
   EXPECT_THAT(said(scene), ElementsAre("camera.keyframes.0 needs a view of its own"));
 }
 
-TEST(Check, JudgesPicturesAndOutput) {
+TEST(Check, RefusesInvalidPicturesAndOutput) {
   Scene scene = scene_in(2);
   scene.render.color.range = {{5, 5}};
   EXPECT_THAT(said(scene), ElementsAre("render.color.range must rise, got [5, 5]"));
@@ -341,6 +341,19 @@ TEST(Scene, DerivesStiffnessAndSoundSpeedFromEachOther) {
   EXPECT_DOUBLE_EQ(sound_speed(scene), 7);  // sqrt(7 7000 / 1000)
   scene.solver.compressibility = SoundSpeed{7};
   EXPECT_DOUBLE_EQ(stiffness(scene), 7000);
+}
+
+TEST(Scene, StartsFromItsOwnParameters) {
+  Scene scene = scene_in(2);
+  scene.gravity = Vec3(1, 2, 0);
+  scene.fluid.viscosity.kinematic = 3;
+  scene.fluid.surface_tension.coefficient = 4;
+  scene.solver.compressibility = SoundSpeed{7};
+  const Parameters parameters = initial_parameters(scene);
+  EXPECT_EQ(parameters.gravity, Vec3(1, 2, 0));
+  EXPECT_EQ(parameters.viscosity, 3);
+  EXPECT_EQ(parameters.surface_tension, 4);
+  EXPECT_DOUBLE_EQ(parameters.stiffness, 7000);
 }
 
 TEST(Scene, EstimatesTheTopSpeedByFalling) {

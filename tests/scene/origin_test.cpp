@@ -14,21 +14,21 @@ namespace {
 
 // Every kind of shape; lengths in units of `unit`.
 Scene scene_at(const Vec3& at, double unit) {
-  const auto place = [&](double x, double y) { return at + unit * Vec3(x, y, 0); };
+  const auto point = [&](double x, double y) { return at + unit * Vec3(x, y, 0); };
   Scene scene;
   scene.name = "scene";
   scene.dimension = 2;
   scene.duration = 1;
   scene.particle_spacing = unit;
-  scene.fluid.volumes = {{Box{place(0, 0), place(16, 12)}, {1, 2, 0}, {0, 0, 3}, {TaylorGreen{2, 20 * unit}}, 0.2},
-                         {Ball{place(40, 10), 5 * unit}, Vec3(0), {0, 0, 1}},
-                         {Polygon{{place(20, 1), place(30, 1), place(25, 9.5)}}, Vec3(0), Vec3(0)}};
-  scene.walls = {{Tank{place(-8, -4), place(56, 40), {Side::top}}, 2, {Box{place(-10, 20), place(-8, 24)}}},
-                 {Block{place(32, 24), place(40, 28)}, 0, {}},
-                 {Polyline{{place(0, 24), place(8, 20.5), place(16, 24)}, false, Flank::left}, 2, {}},
-                 {Round{place(24, 24), 4 * unit, Face::inside}, 2, {}}};
-  scene.camera.view = View2D{place(24, 16), 64 * unit};
-  scene.camera.keyframes = {{0, View2D{place(24, 16), 64 * unit}}};
+  scene.fluid.volumes = {{Box{point(0, 0), point(16, 12)}, {1, 2, 0}, {0, 0, 3}, {TaylorGreen{2, 20 * unit}}, 0.2},
+                         {Ball{point(40, 10), 5 * unit}, Vec3(0), {0, 0, 1}},
+                         {Polygon{{point(20, 1), point(30, 1), point(25, 9.5)}}, Vec3(0), Vec3(0)}};
+  scene.walls = {{Tank{point(-8, -4), point(56, 40), {Side::top}}, 2, {Box{point(-10, 20), point(-8, 24)}}},
+                 {Block{point(32, 24), point(40, 28)}, 0, {}},
+                 {Polyline{{point(0, 24), point(8, 20.5), point(16, 24)}, false, Flank::left}, 2, {}},
+                 {Round{point(24, 24), 4 * unit, Face::inside}, 2, {}}};
+  scene.camera.view = View2D{point(24, 16), 64 * unit};
+  scene.camera.keyframes = {{0, View2D{point(24, 16), 64 * unit}}};
   return scene;
 }
 

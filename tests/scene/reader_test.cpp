@@ -48,7 +48,7 @@ TEST(Reader, NamesASceneAfterItsKeyOrItsFile) {
   EXPECT_EQ(read_scene_text(shortest_text, "folder/dam_break.yaml").name, "dam_break");
   EXPECT_EQ(scene_of(shortest_text + "name: other-1.5\n").name, "other-1.5");
   EXPECT_EQ(scene_of(shortest_text, {"name=third"}).name, "third");
-  // What was written reads back under the same name, wherever it stands.
+  // A written scene reads back under the same name, whatever its file is called.
   const std::string effective = write_scene(read_scene_text(shortest_text, "folder/dam_break.yaml"));
   EXPECT_EQ(read_scene_text(effective, "scene.yaml").name, "dam_break");
   EXPECT_EQ(write_scene(read_scene_text(effective, "scene.yaml")), effective);
@@ -213,7 +213,7 @@ TEST(Reader, RefusesUnknownChoices) {
                   "s.yaml:6:33: render.overlay holds 'time' twice"));
 }
 
-TEST(Reader, RefusesNumbersThatAreNone) {
+TEST(Reader, RefusesMalformedNumbers) {
   const auto said = [](const std::string& number) { return with_line("gravity: [0, " + number + "]"); };
   const std::string start = "s.yaml:6:14: gravity.1 expects a number, got '";
   EXPECT_THAT(said(".inf"), ElementsAre(start + ".inf'; infinity is not a number here"));
@@ -276,7 +276,7 @@ TEST(Reader, RefusesVectorsAndShapesOfTheOtherDimension) {
                   "s.yaml:6:30: camera.view.target does not go with the other keys of camera.view"));
 }
 
-TEST(Reader, RefusesTwoOfWhatExcludesEachOther) {
+TEST(Reader, RefusesTwoKeysThatExcludeEachOther) {
   EXPECT_THAT(with_line("solver: {sound_speed: 10, stiffness: 1000}"),
               ElementsAre("s.yaml:6:10: solver.sound_speed stands beside solver.stiffness; give one of them"));
   EXPECT_THAT(with_line("solver: {time_step: {fixed: 0.1, cfl: 0.4}}"),
@@ -285,7 +285,7 @@ TEST(Reader, RefusesTwoOfWhatExcludesEachOther) {
               ElementsAre("s.yaml:6:44: walls.0.box stands beside walls.0.tank; give one of them"));
 }
 
-TEST(Reader, RefusesByNameWhatIsNotBuilt) {
+TEST(Reader, RefusesReservedKeysByName) {
   EXPECT_THAT(with_line("bodies: [{}]"),
               ElementsAre("s.yaml:6:1: bodies is not built yet (rigid bodies); leave it out"));
   EXPECT_THAT(with_line("probes: [{}]"), ElementsAre("s.yaml:6:1: probes is not built yet (probes); leave it out"));

@@ -160,7 +160,7 @@ TEST(Schema, ListsTheSameKeysAsTheReference) {
   EXPECT_EQ(rows, expected);
 }
 
-// Another right value in place of a leaf is among these.
+// Candidates for another valid value of a leaf.
 std::vector<std::string> other_values(const Node& leaf) {
   if (leaf.quoted) return {leaf.text + "x"};
   return {leaf.text + "1",
@@ -219,10 +219,9 @@ TEST(Reader, LosesNoLeaf) {
     EXPECT_EQ(write_scene(scene_of(effective)), effective);
     std::vector<Mistake> mistakes;
     each_leaf(parse_document(effective, -1, mistakes), "", [&](const std::string& path, const Node& leaf) {
-      if (path == "weir" || path == "dimension") return;  // one valid value each
-      if (path.find(".set.gravity.") != std::string::npos)
-        return;  // what follows `set` is one key, set as a whole below
-      // Whose other values break rules with the rest of these scenes; below, in a scene where they do not.
+      if (path == "weir" || path == "dimension") return;            // one valid value each
+      if (path.find(".set.gravity.") != std::string::npos) return;  // keys below `set` are one key, tested below
+      // Other values of these break rules of these scenes; they are tested below.
       if (path.ends_with(".solid") || path == "fluid.surface_tension.model") return;
       const bool slides = text.find("slide") != std::string::npos;
       if (slides ? path == "solver.wall_slip" || path == "solver.wall_pressure" : path.find(".slide") != path.npos)
@@ -236,7 +235,7 @@ TEST(Reader, LosesNoLeaf) {
           EXPECT_NE(changed, effective) << path << " = " << other;
           return;
         } catch (const SceneError&) {
-          continue;  // not right for this key
+          continue;  // not valid for this key
         }
       }
       ADD_FAILURE() << "no other value fits " << path << ": " << leaf.text;

@@ -1,4 +1,4 @@
-// Volumes and walls against each other: what shapes and boundaries tell is what all particles tell.
+// Volumes and walls against each other: the check says what a comparison of all particles says.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ constexpr double dx = 0.1;
 constexpr double too_near = 0.49 * dx;
 constexpr double slack = 1e-6 * dx;
 
-// ---- the same judgement by every particle -------------------------------------------------------------------------
+// ---- the same check by comparing all particles --------------------------------------------------------------------
 
 bool holds(const Wall& wall, const Vec3& point, int dimension, bool solid) {
   if (const auto* tank = std::get_if<Tank>(&wall.shape)) {
@@ -56,7 +56,7 @@ bool overlap(const Shape& a, const std::vector<Vec3>& of_a, const Shape& b, cons
   return boxes || any_in(of_a, b, dimension) || any_in(of_b, a, dimension);
 }
 
-std::vector<std::string> judged_by_particles(const Scene& scene) {
+std::vector<std::string> mistakes_by_particles(const Scene& scene) {
   const int dimension = scene.dimension;
   std::vector<std::string> all;
   std::vector<std::vector<Vec3>> samples;
@@ -131,7 +131,7 @@ class Dice {
     const int kind = below(4);
     return kind == 0 ? std::round(value / dx) * dx : kind == 1 ? std::round(value / (dx / 2)) * (dx / 2) : value;
   }
-  Vec3 place(int dimension, double low, double high) {
+  Vec3 point(int dimension, double low, double high) {
     const double x = between(low, high);
     const double y = between(low, high);
     return {x, y, dimension == 3 ? between(low, high) : 0};
@@ -153,14 +153,14 @@ std::vector<Vec3> star(Dice& dice, const Vec3& center, double size) {
 }
 
 Box box(Dice& dice, int dimension, double least, double most) {
-  const Vec3 min = dice.place(dimension, -1, 1);
-  return {min, min + dice.place(dimension, least, most)};
+  const Vec3 min = dice.point(dimension, -1, 1);
+  return {min, min + dice.point(dimension, least, most)};
 }
 
 Shape shape(Dice& dice, int dimension) {
   const int kind = dice.below(dimension == 2 ? 3 : 2);
   if (kind == 0) return box(dice, dimension, 0.1, 1.2);
-  const Vec3 center = dice.place(dimension, -1, 1);
+  const Vec3 center = dice.point(dimension, -1, 1);
   if (kind == 1) return Ball{center, dice.between(0.1, 0.8)};
   return Polygon{star(dice, center, dice.between(0.3, 1))};
 }
@@ -180,9 +180,9 @@ WallShape wall_shape(Dice& dice, int dimension) {
       return Block{solid.min, solid.max};
     }
     case 3:
-      return Round{dice.place(dimension, -1, 1), dice.between(0.1, 2), dice.one_in(2) ? Face::inside : Face::outside};
+      return Round{dice.point(dimension, -1, 1), dice.between(0.1, 2), dice.one_in(2) ? Face::inside : Face::outside};
     default:
-      return Polyline{star(dice, dice.place(dimension, -1, 1), dice.between(0.5, 2)), dice.one_in(2),
+      return Polyline{star(dice, dice.point(dimension, -1, 1), dice.between(0.5, 2)), dice.one_in(2),
                       dice.one_in(2) ? Flank::left : Flank::right};
   }
 }
@@ -204,7 +204,7 @@ Scene random_scene(unsigned seed, int dimension) {
   return scene;
 }
 
-// Whether each shape by itself is right; else nobody asks how they meet.
+// Whether each shape by itself is valid; else overlaps are not checked.
 bool usable(const std::vector<Violation>& violations) {
   return std::none_of(violations.begin(), violations.end(), [](const Violation& violation) {
     const std::string& text = violation.message;
@@ -222,7 +222,7 @@ void compare(int dimension, unsigned scenes) {
     if (!usable(violations)) continue;
     std::vector<std::string> said;
     for (const Violation& violation : violations) said.push_back(violation.path + " " + violation.message);
-    EXPECT_EQ(said, judged_by_particles(scene)) << "seed " << seed;
+    EXPECT_EQ(said, mistakes_by_particles(scene)) << "seed " << seed;
     ++compared;
     if (!said.empty()) ++wrong;
   }
@@ -231,21 +231,8 @@ void compare(int dimension, unsigned scenes) {
   EXPECT_LT(wrong, compared);
 }
 
-TEST(Meeting, JudgesAsAllParticlesDo) { compare(2, 2000); }
-TEST(Meeting, JudgesAsAllParticlesDoInSpace) { compare(3, 200); }
-
-TEST(Meeting, CountsAsManyAsAreSampled) {
-  for (const int dimension : {2, 3}) {
-    for (unsigned seed = 0; seed < 150; ++seed) {
-      const Scene scene = random_scene(seed, dimension);
-      if (!usable(check(scene))) continue;
-      const Sampling sampling = sample(scene);
-      const ParticleCount count = count_particles(scene);
-      EXPECT_EQ(count.fluid, static_cast<std::int64_t>(sampling.fluid_positions.size())) << "seed " << seed;
-      EXPECT_EQ(count.wall, static_cast<std::int64_t>(sampling.wall_positions.size())) << "seed " << seed;
-    }
-  }
-}
+TEST(Overlap, CheckAgreesWithAllParticlesCompared) { compare(2, 2000); }
+TEST(Overlap, CheckAgreesWithAllParticlesComparedIn3D) { compare(3, 200); }
 
 }  // namespace
 }  // namespace weir

@@ -1,16 +1,15 @@
-// Volumes and walls against each other, judged by the particles that they would make; of fluid, none is made.
+// Overlaps of volumes and walls, found by comparing their particles; fluid particles are not stored.
 #include <algorithm>
 #include <optional>
 
 #include "scene/checker.h"
 #include "scene/geometry.h"
 #include "scene/lattice.h"
-#include "scene/meeting.h"
 #include "scene/origin.h"
+#include "scene/overlap.h"
 #include "scene/paths.h"
 #include "scene/sampling.h"
 #include "scene/tank_sides.h"
-#include "scene/wall_extent.h"
 
 namespace weir {
 
@@ -20,7 +19,7 @@ namespace {
 constexpr double too_near = 0.49;  // dx
 constexpr double slack = 1e-6;     // dx, for rounding
 
-// A closed outline's inside, and whether that is where the solid is.
+// The region within a closed outline, and whether the solid fills it.
 struct Outline {
   Shape shape;
   bool solid_inside;
@@ -53,28 +52,29 @@ std::optional<Outline> outline(const Wall& wall, const Scene& scene) {
   return std::visit([&](const auto& shape) { return outline(shape, scene); }, wall.shape);
 }
 
-class Meeting {
+class Overlap {
  public:
-  explicit Meeting(Checker& checker)
+  explicit Overlap(Checker& checker)
       : checker_(checker),
         origin_(scene_origin(checker.scene)),
         scene_(relative_to(checker.scene, origin_)),
         dimension_(scene_.dimension),
         dx_(scene_.particle_spacing) {}
 
-  void judge() {
+  void report() {
     for (std::size_t i = 0; i < scene_.fluid.volumes.size(); ++i) {
       if (!checker_.usable(volume_path(i))) continue;
       Lattice lattice(scene_.fluid.volumes[i].shape, dimension_, dx_);
       if (!lattice.empty()) fluid_.push_back({i, std::move(lattice), {}, false});
     }
-    for (std::size_t i = 0; i < scene_.walls.size(); ++i) judge_wall(i);
+    for (const Fluid& fluid : fluid_) reach_ = around(reach_, grown(fluid.lattice.bounds(), dx_));
+    for (std::size_t i = 0; i < scene_.walls.size(); ++i) find_overlaps_with_wall(i);
     for (Fluid& fluid : fluid_) {
-      judge_overlap(fluid);
+      report_overlap(fluid);
       for (const std::size_t wall : fluid.walls) {
         checker_.add(volume_path(scene_, fluid.index), fmt::format("reaches into {}", wall_path(scene_, wall)));
       }
-      judge_outside(fluid);
+      report_outside(fluid);
     }
   }
 
@@ -87,7 +87,7 @@ class Meeting {
     bool distinct = false;           // overlaps no volume before it
   };
 
-  void judge_wall(std::size_t index) {
+  void find_overlaps_with_wall(std::size_t index) {
     if (!checker_.usable(wall_path(index))) {
       all_walls_ = false;
       return;
@@ -96,41 +96,17 @@ class Meeting {
     const std::optional<Outline> closed = outline(wall, scene_);
     if (closed && !closed->solid_inside && wall.holes.empty()) containers_.push_back(widened(closed->shape));
 
-    const std::vector<Fluid*> doubtful = fluid_near(wall);
-    const std::vector<Vec3> points = particles_near(wall, doubtful);
+    std::vector<Vec3> points = sample_wall(wall, dimension_, dx_, wall_layers(scene_, wall));
+    std::erase_if(points, [&](const Vec3& point) { return !contains(reach_, point); });
+    std::sort(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) { return a.y < b.y; });
     for (Fluid& fluid : fluid_) {
-      const bool near = std::binary_search(doubtful.begin(), doubtful.end(), &fluid) &&
-                        any_near(fluid.lattice, points, too_near * dx_);
+      const bool near = any_near(fluid.lattice, points, too_near * dx_);
       const bool within = closed && closed->solid_inside && any_inside(fluid.lattice, closed->shape, wall.holes);
       if (near || within) fluid.walls.push_back(index);
     }
   }
 
-  // Volumes of which the shapes alone do not tell that they keep their distance from the wall's particles; ascending.
-  std::vector<Fluid*> fluid_near(const Wall& wall) {
-    const Bounds box = wall_bounds(wall, dimension_, dx_, wall_layers(scene_, wall));
-    std::vector<Fluid*> result;
-    for (Fluid& fluid : fluid_) {
-      const Lattice& lattice = fluid.lattice;
-      if (apart(box, lattice.bounds(), dimension_, -too_near * dx_)) continue;
-      if (!surely_in_front(wall, lattice.shape(), lattice.bounds(), dimension_, dx_)) result.push_back(&fluid);
-    }
-    return result;
-  }
-
-  // Those particles of the wall that these volumes could be near to, ascending in y.
-  std::vector<Vec3> particles_near(const Wall& wall, const std::vector<Fluid*>& fluids) const {
-    if (fluids.empty()) return {};
-    Bounds region = empty_bounds;
-    for (const Fluid* fluid : fluids) region = around(region, fluid->lattice.bounds());
-    std::vector<Vec3> points;
-    visit_wall(wall, dimension_, dx_, wall_layers(scene_, wall), grown(region, dx_),
-               [&](const Vec3& point) { points.push_back(point); });
-    std::sort(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) { return a.y < b.y; });
-    return points;
-  }
-
-  void judge_overlap(Fluid& fluid) {
+  void report_overlap(Fluid& fluid) {
     std::vector<std::size_t> met;
     for (const Fluid& other : fluid_) {
       if (&other == &fluid) break;
@@ -153,7 +129,7 @@ class Meeting {
     return boxes || any_inside(a, b.shape()) || any_inside(b, a.shape());
   }
 
-  void judge_outside(const Fluid& fluid) {
+  void report_outside(const Fluid& fluid) {
     if (containers_.empty() || !all_walls_) return;
     const Outsiders outside = outside_all(fluid.lattice, containers_);
     if (outside.count == 0) return;
@@ -174,14 +150,15 @@ class Meeting {
   int dimension_;
   double dx_;
   std::vector<Fluid> fluid_;
+  Bounds reach_ = empty_bounds;  // around all fluid; of walls beyond, no particle is near it
   std::vector<Shape> containers_;
   bool all_walls_ = true;
 };
 
 }  // namespace
 
-void check_meeting(Checker& checker) {
-  if (checker.usable("particles.spacing", "solver.kernel")) Meeting(checker).judge();
+void check_overlap(Checker& checker) {
+  if (checker.usable("particles.spacing", "solver.kernel")) Overlap(checker).report();
 }
 
 }  // namespace weir

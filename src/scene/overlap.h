@@ -1,5 +1,4 @@
-// Where the particles of volumes are: in shapes, near each other, near points. Asked row by row; along a row only the
-// nodes beside a shape's boundary are looked at one by one, for the rest follows from them.
+// Whether particles of volumes lie in shapes, near each other or near points. Lattices store no particles.
 #pragma once
 
 #include <vector>
@@ -21,7 +20,7 @@ Outsiders outside_all(const Lattice& lattice, const std::vector<Shape>& shapes);
 // Whether any two particles are nearer than `distance`, m, which is less than half a spacing: then each has at most one
 // node of the other's lattice to look at.
 bool any_near(const Lattice& a, const Lattice& b, double distance);
-// The same of a particle and any of the points, which ascend in y.
+// The same for particles and points; points ascend in y.
 bool any_near(const Lattice& lattice, const std::vector<Vec3>& points, double distance);
 
 }  // namespace weir

@@ -1,14 +1,11 @@
-#include "scene/scene.h"
-
+// The speed that a scene can reach, estimated from its energies.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "equations/density.h"
 #include "equations/energy.h"
-#include "equations/kernels.h"
-#include "equations/state.h"
 #include "scene/geometry.h"
+#include "scene/scene.h"
 #include "scene/span.h"
 
 namespace weir {
@@ -61,39 +58,6 @@ double initial_speed(const Scene& scene) {
 
 }  // namespace
 
-double smoothing_length(const Scene& scene) { return scene.solver.kernel.smoothing * scene.particle_spacing; }
-
-double support_radius(const Scene& scene) { return support_per_h * smoothing_length(scene); }
-
-double particle_mass(const Scene& scene) {
-  return lattice_mass(scene.fluid.rest_density, scene.particle_spacing, scene.dimension);
-}
-
-int wall_layers(const Scene& scene, const Wall& wall) {
-  if (wall.layers > 0) return wall.layers;
-  // The last digits of h / dx must not add a layer.
-  return std::max(1, static_cast<int>(std::ceil(support_per_h * scene.solver.kernel.smoothing - 1e-9)));
-}
-
-std::int64_t last_frame(const Scene& scene) {
-  const double frames = scene.duration * scene.render.fps;
-  const double nearest = std::round(frames);
-  // 0.7 s at 10 frames per second are 7 frames although the product in binary is a little less.
-  const bool whole = std::abs(frames - nearest) <= 1e-9 * std::max(1.0, frames);
-  return static_cast<std::int64_t>(whole ? nearest : std::floor(frames));
-}
-
-double stiffness(const Scene& scene) {
-  if (const auto* given = std::get_if<Stiffness>(&scene.solver.compressibility)) return given->k;
-  const double c0 = std::get<SoundSpeed>(scene.solver.compressibility).c0;
-  return stiffness_of_state(c0, scene.solver.exponent, scene.fluid.rest_density);
-}
-
-double sound_speed(const Scene& scene) {
-  if (const auto* given = std::get_if<SoundSpeed>(&scene.solver.compressibility)) return given->c0;
-  return sound_speed_of_state(stiffness(scene), scene.solver.exponent, scene.fluid.rest_density);
-}
-
 double max_speed_estimate(const Scene& scene) {
   const double first = initial_speed(scene);
   const bool cohesive = scene.fluid.surface_tension.model != SurfaceTensionModel::none;
@@ -105,10 +69,6 @@ double max_speed_estimate(const Scene& scene) {
   }
   return std::sqrt(first * first + gained +
                    speed_squared_of_cohesion(tension, scene.particle_spacing, scene.dimension));
-}
-
-bool draws(const Scene& scene) {
-  return scene.output.movie.has_value() || scene.output.frames || !scene.output.stills.empty();
 }
 
 }  // namespace weir

@@ -1,4 +1,4 @@
-#include "report/write_text.h"
+#include "core/write_text.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// Writes the tables of reports.
+// Text files, whole.
 #pragma once
 
 #include <filesystem>
