@@ -12,12 +12,13 @@ struct Sampling {
   std::vector<Vec3> fluid_positions;   // m; the first lies dx/2 inside the faces
   std::vector<Vec3> fluid_velocities;  // m/s, same length
   std::vector<Vec3> wall_positions;    // m; the first layer lies dx/2 behind the faces, in no order of depth
+  std::vector<Vec3> wall_velocities;   // m/s, with which the surface slides; same length
 };
 Sampling sample(const Scene& scene);
 
-// Its parts: how many fluid particles there will be, and the wall particles.
+// Numbers of particles; fluid is counted without sampling it.
 std::int64_t count_fluid(const Scene& scene);
-std::vector<Vec3> sample_walls(const Scene& scene);
+std::int64_t count_walls(const Scene& scene);
 
 std::vector<Vec3> sample_volume(const Shape& shape, int dimension, double dx);
 // One wall alone, holes left out of it, before walls are merged.
