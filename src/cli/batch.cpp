@@ -52,7 +52,7 @@ std::optional<fs::file_time_type> manifest_time(const fs::path& folder) {
   return missing ? std::nullopt : std::optional(time);
 }
 
-// A scene that is wrong, which its own process will tell, goes by its file's name.
+// An invalid scene, which its own process reports, is named after its file.
 std::string name_of(const fs::path& scene, const std::vector<Override>& settings) {
   try {
     return read_scene(scene, settings).name;
@@ -155,7 +155,7 @@ void Batch::print_table() const {
   for (const Job& job : jobs_) width = std::max(width, job.name.size());
   fmt::print("{:<{}}  {:>4}  {:>9}  {:>9}  {}\n", "scene", width, "exit", "seconds", "steps", "folder");
   for (const Job& job : jobs_) {
-    // A scene that is wrong or was refused wrote nothing; what stands in its folder is another run's.
+    // An invalid or refused scene wrote nothing; its folder holds another run's files.
     const bool wrote = job.exit && *job.exit != static_cast<int>(ExitCode::usage);
     const std::optional<Manifest> past = wrote ? past_run(job.folder / "manifest.json") : std::nullopt;
     fmt::print("{:<{}}  {:>4}  {:>9}  {:>9}  {}\n", job.name, width, job.exit ? std::to_string(*job.exit) : "-",

@@ -25,13 +25,13 @@ struct CheckCommand {
 // The speed of this machine is measured by solving the scene itself for this long, s.
 constexpr double trial_time = 0.5;
 constexpr std::int64_t least_trial_steps = 2;
-// Beyond this even a single step would keep the user waiting.
+// Beyond this even a single step takes too long to wait for.
 constexpr std::int64_t most_trial_particles = 2'000'000;
 
-// What the solving of the whole scene will take, in words.
+// Estimated time for solving the whole scene, as text.
 std::string run_time(const Scene& scene, const Estimate& cost, int threads) {
   if (cost.fluid_particles + cost.wall_particles > most_trial_particles) {
-    return fmt::format("not tried, for the scene has more than {} particles", most_trial_particles);
+    return fmt::format("not measured: the scene has more than {} particles", most_trial_particles);
   }
   try {
     const std::unique_ptr<Simulation> simulation = make_simulation(scene, threads);
@@ -41,12 +41,12 @@ std::string run_time(const Scene& scene, const Estimate& cost, int threads) {
     }
     if (simulation->steps() == 0) return "nothing to solve";
     const double seconds_per_step = watch.seconds() / static_cast<double>(simulation->steps());
-    return fmt::format("about {} of solving with {} thread{} (tried: {} steps, {:.2e} particle steps/s)",
+    return fmt::format("about {} of solving with {} thread{} (measured: {} steps, {:.2e} particle steps/s)",
                        wall_time_text(seconds_per_step * static_cast<double>(cost.steps)), threads,
                        threads == 1 ? "" : "s", simulation->steps(),
                        static_cast<double>(cost.fluid_particles) / seconds_per_step);
   } catch (const SimulationError& error) {
-    return fmt::format("unknown, for it diverges at once: {}", error.what());
+    return fmt::format("unknown: it diverges at once: {}", error.what());
   }
 }
 
@@ -59,7 +59,7 @@ std::string pictures(const Scene& scene) {
 
 void print_facts(const std::string& file, const Scene& scene, int threads) {
   const Estimate cost = estimate(scene);
-  fmt::print("{}: the scene is right\n", file);
+  fmt::print("{}: the scene is valid\n", file);
   fmt::print("  particles  {} fluid, {} wall\n", cost.fluid_particles, cost.wall_particles);
   fmt::print("  memory     about {:.1f} MB\n", cost.memory / 1e6);
   fmt::print("  mass       {:.6g} kg{}, {:+.3f} % from that of the exact shapes\n", cost.mass,
@@ -95,13 +95,13 @@ ExitCode check_scenes(const CheckCommand& options) {
 }  // namespace
 
 void add_check(CLI::App& program, Action& action) {
-  CLI::App* command = program.add_subcommand("check", "Find every mistake in scenes; say what they will cost to run");
+  CLI::App* command = program.add_subcommand("check", "Find every mistake in scenes; estimate the cost of runs");
   const auto options = std::make_shared<CheckCommand>();
   command->add_option("scenes", options->scenes, "Scenes, YAML files")->type_name("SCENE.yaml...")->required();
   add_set(*command, options->set);
   add_threads(*command, options->threads);
   command->add_flag("--print", options->print, "Print the effective scene instead, all defaults filled in");
-  command->footer("Mistakes are listed as file:line:column: error: what is wrong. Nothing is written.");
+  command->footer("Mistakes are listed as file:line:column: error: message. Nothing is written.");
   command->callback([&action, options] { action = [options] { return check_scenes(*options); }; });
 }
 

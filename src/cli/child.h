@@ -10,7 +10,7 @@ namespace weir {
 
 class Child {
  public:
-  // Starts this program anew with other arguments. It is in a process group of its own, so that a Ctrl-C reaches it
+  // Starts this program with other arguments. It is in a process group of its own, so that a Ctrl-C reaches it
   // once, from us; if we die, it is asked to stop. Throws std::runtime_error.
   explicit Child(const std::vector<std::string>& arguments);
   ~Child();

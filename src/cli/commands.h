@@ -9,7 +9,7 @@
 
 namespace weir {
 
-// What the parsed command line asks for. Errors are thrown; main() turns them into text and exit code.
+// The action that the parsed command line asks for. Errors are thrown; main() turns them into text and exit code.
 using Action = std::function<ExitCode()>;
 
 // Each adds its command to the program; `action` is set once the command has been parsed.
@@ -20,7 +20,7 @@ void add_compare(CLI::App& program, Action& action);
 void add_report(CLI::App& program, Action& action);
 void add_info(CLI::App& program, Action& action);
 void add_schema(CLI::App& program, Action& action);
-// What the program will do one day and refuses by name until then.
+// Reserved options, refused by name until they are built.
 void add_unbuilt(CLI::App& program, Action& action);
 
 // A flag that is refused by name; not shown in the help.

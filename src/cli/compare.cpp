@@ -16,8 +16,8 @@ struct CompareCommand {
   bool json = false;
 };
 
-// What cannot be read is a mistake of the command line here, not a failure of output.
-ComparisonResult judge(const CompareCommand& options) {
+// Unreadable files are mistakes of the command line here, not failures of output.
+ComparisonResult compare_files(const CompareCommand& options) {
   try {
     return compare(options.a, options.b, options.comparison);
   } catch (const OutputError& error) {
@@ -26,11 +26,11 @@ ComparisonResult judge(const CompareCommand& options) {
 }
 
 ExitCode compare_two(const CompareCommand& options) {
-  ComparisonResult result = judge(options);
+  ComparisonResult result = compare_files(options);
   if (!options.difference.empty()) {
     ComparisonOptions with_picture = options.comparison;
     with_picture.difference = options.difference;
-    result = compare(options.a, options.b, with_picture);  // both can be read: what fails now is the writing
+    result = compare(options.a, options.b, with_picture);  // both are readable: errors from here on are of writing
   }
   if (options.json) {
     fmt::print("{}", result.json());
@@ -61,7 +61,7 @@ void add_compare(CLI::App& program, Action& action) {
       ->type_name("FILE.png");
   command->add_flag("--json", options->json, "As a JSON object");
   command->footer(
-      "Exit 0: the same within the tolerance. Exit 1: different. With a tolerance, run folders are judged by their\n"
+      "Exit 0: the same within the tolerance. Exit 1: different. With a tolerance, run folders are compared by their\n"
       "pictures; without one, by particles and log as well.");
   command->callback([&action, options] { action = [options] { return compare_two(*options); }; });
 }

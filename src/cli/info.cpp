@@ -84,7 +84,7 @@ void print_text(const Facts& facts) {
     fmt::print("device {:<4} {}: {}: {}\n", fmt::format("{}{}", i, static_cast<int>(i) == chosen ? "*" : ""),
                trial.name, trial.usable ? "usable" : "not usable", trial.detail);
   }
-  if (chosen >= 0) fmt::print("            * is what --gl-device auto takes\n");
+  if (chosen >= 0) fmt::print("            * is chosen by --gl-device auto\n");
   if (facts.encoder_error.empty()) {
     fmt::print("encoders    {}\n", facts.encoders.empty() ? "none: no movie can be written"
                                                           : fmt::format("{}", fmt::join(facts.encoders, " ")));
@@ -119,7 +119,7 @@ void print_json(const Facts& facts) {
 }  // namespace
 
 void add_info(CLI::App& program, Action& action) {
-  CLI::App* command = program.add_subcommand("info", "Say what this machine offers: threads, OpenGL devices, encoders");
+  CLI::App* command = program.add_subcommand("info", "List threads, OpenGL devices and encoders of this machine");
   const auto json = std::make_shared<bool>(false);
   command->add_flag("--json", *json, "As a JSON object");
   command->callback([&action, json] {

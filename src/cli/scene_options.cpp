@@ -21,7 +21,7 @@ CLI::Option* add_threads(CLI::App& command, int& threads) {
 CLI::Option* add_gl_device(CLI::App& command, std::string& device) {
   return command
       .add_option("--gl-device", device,
-                  "What draws: auto, software, or a number from `weir info`; default: WEIR_GL_DEVICE, else auto")
+                  "OpenGL device: auto, software, or a number from `weir info`; default: WEIR_GL_DEVICE, else auto")
       ->type_name("DEVICE");
 }
 

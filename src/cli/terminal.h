@@ -1,4 +1,4 @@
-// What the user sees on standard error.
+// Messages on standard error.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ int terminal_width();  // columns of the terminal behind standard error; 80 if u
 void say(const std::string& text);
 // "weir: error: text", the word in red on a terminal unless NO_COLOR is set.
 void say_error(const std::string& text);
-// Mistakes that carry their place themselves: "file:line:column: error: text", one a line.
+// Mistakes with their position: "file:line:column: error: text", one a line.
 void say_mistakes(const std::string& lines);
 
 }  // namespace weir

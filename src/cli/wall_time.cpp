@@ -15,7 +15,7 @@ double parse_wall_time(const std::string& text) {
   const auto [rest, error] = std::from_chars(text.data(), end, number, std::chars_format::fixed);
   const std::string unit(error == std::errc() ? rest : end, end);
   const double seconds = unit.empty() || unit == "s" ? 1 : unit == "m" ? 60 : unit == "h" ? 3600 : 0;
-  // 0 for what is no number or unit; nor are inf and nan.
+  // 0 for malformed numbers and units, inf and nan.
   if (error != std::errc() || !(number * seconds > 0 && number * seconds < 1e13)) {
     throw UsageError(fmt::format("--max-wall-time {}: not a positive time such as 90, 90s, 15m or 2h", text));
   }

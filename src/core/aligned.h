@@ -1,4 +1,4 @@
-// Memory for loops over whole registers.
+// Arrays aligned to whole registers.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace weir {
 
-// The widest register, and a cache line.
+// Size of the widest register and of a cache line.
 constexpr std::size_t register_bytes = 64;
 
 template <class T>

@@ -1,12 +1,12 @@
-// Files as part of the program: found whatever the working directory and wherever the program stands.
+// Files embedded in the program, independent of the working directory and of where the program is installed.
 #pragma once
 
 #include <cstddef>
 #include <string_view>
 
-// Makes `std::string_view embedded_<name>()`, the content of `file`, in this file alone. The assembler copies it in as
-// it is, where a generated array of a font's 740 kB would take the compiler seconds; CMake has to rebuild when the file
-// changes (OBJECT_DEPENDS). Hidden symbols: program and modules each may carry a copy without seeing the other's.
+// Defines `std::string_view embedded_<name>()`, the content of `file`, in this translation unit. The assembler copies
+// the file verbatim, as compiling a generated array of a font's 740 kB takes seconds; CMake rebuilds when the file
+// changes (OBJECT_DEPENDS). Symbols are hidden: program and modules may each have a copy.
 #define WEIR_EMBED(name, file)                                                                                  \
   asm(".pushsection .rodata\n"                                                                                  \
       ".balign 16\n"                                                                                            \

@@ -1,5 +1,4 @@
-// What can go wrong, one type per exit code of the program. Texts start lower case, name the thing, its value and the
-// way out.
+// Errors, one type per exit code of the program. Messages start lower case and name the object, its value and a remedy.
 #pragma once
 
 #include <stdexcept>
@@ -16,7 +15,7 @@ struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// One mistake in a scene. `where` is "file:line:column", or the option that brought the value in.
+// One mistake in a scene. `where` is "file:line:column", or the command-line option that set the value.
 struct SceneMistake {
   std::string where;
   std::string message;
@@ -28,13 +27,12 @@ struct SceneError : std::runtime_error {
   std::vector<SceneMistake> mistakes;
 };
 
-// The state left the range in which the method means anything. The text says which step, time and particle, which
-// limit was passed and what to try.
+// The simulation diverged. The message names step, time, particle, the limit that was exceeded and a remedy.
 struct SimulationError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// No usable OpenGL; the text has a line for every display and device tried.
+// No usable OpenGL; the message has a line for every display and device tried.
 struct DeviceError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

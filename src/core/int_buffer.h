@@ -1,4 +1,4 @@
-// A growing array of integers for code that is built per instruction set: what grows it is built once, for all of them.
+// A growing array of integers for code that is built per instruction set. Growth is compiled once, for all sets.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,4 @@
-// The few functions that equations need beside + - * /, for numbers; a vectorised type brings its own by the same
-// names.
+// Functions that equations need beside + - * /, for scalars. Vector types overload them by the same names.
 #pragma once
 
 #include <bit>
@@ -15,13 +14,13 @@ constexpr R larger(R a, R b) {
   return a > b ? a : b;
 }
 
-// What is no number stays none.
+// max(x, 0); NaN propagates.
 template <class R>
 constexpr R positive_part(R x) {
   return larger(R(0), x);
 }
 
-// a b + c. Rounded once where the type has an instruction for that, else twice: which, is never left to the compiler.
+// a b + c, rounded once where the type has an instruction for that, else twice; never the compiler's choice.
 template <class R>
 constexpr R multiply_add(R a, R b, R c) {
   return a * b + c;
@@ -33,24 +32,25 @@ constexpr R minus_product(R c, R a, R b) {
   return c - a * b;
 }
 
-// sum + y, with the rounding error of the sum kept in `rest` and paid back at the next call: after many small steps the
-// pair is as good as twice the digits. |y| must be small against |sum|, or sum zero. [W. Kahan, Further remarks on
-// reducing truncation errors, Commun. ACM 8 (1965) 40]
+// sum += y, with the rounding error kept in `compensation` and added at the next call (Kahan summation): the pair has
+// about twice the digits. |y| must be small against |sum|, or sum zero. [W. Kahan, Further remarks on reducing
+// truncation errors, Commun. ACM 8 (1965) 40]
 template <class R>
-constexpr void compensated_add(R& sum, R& rest, R y) {
-  const R owed = y + rest;
-  const R total = sum + owed;
-  rest = owed - (total - sum);
+constexpr void compensated_add(R& sum, R& compensation, R y) {
+  const R compensated = y + compensation;
+  const R total = sum + compensated;
+  compensation = compensated - (total - sum);
   sum = total;
 }
 
-// Square roots are exactly rounded everywhere (IEEE 754), unlike powers and trigonometry, which state must not use.
+// Square roots are exactly rounded everywhere (IEEE 754), unlike powers and trigonometric functions, which the state
+// must not depend on.
 inline float square_root(float x) { return std::sqrt(x); }
 inline double square_root(double x) { return std::sqrt(x); }
 
-// 1/x for x > 0, by multiplications alone: to 2^-23 where multiply_add rounds once. From bits that are within 5.1 % of it
-// (the exponent's sign is turned by a subtraction; the constant is the best by trial of all mantissas), a cubic step of
-// Newton's kind and a quadratic one leave errors of 1.3e-4 and 1.7e-8. Not for x below 2^-125.
+// 1/x for x > 0 by multiplications alone, to 2^-23 where multiply_add rounds once. An integer subtraction negates the
+// exponent and gives a first value within 5.1 % (the constant is optimal over all mantissas); a cubic and a quadratic
+// Newton step leave relative errors of 1.3e-4 and 1.7e-8. Invalid for x below 2^-125.
 inline float reciprocal_guess(float x) {
   return std::bit_cast<float>(std::int32_t{0x7EF311C0} - std::bit_cast<std::int32_t>(x));
 }
@@ -63,7 +63,7 @@ R reciprocal_by_products(R x) {
   return multiply_add(y, error, y);
 }
 
-// a / b for b > 0, to 2 units in the last place; by products where a type's registers divide slowly.
+// a / b for b > 0, to 2 units in the last place; a product with the reciprocal where division is slow.
 inline float quotient(float a, float b) { return a / b; }
 inline double quotient(double a, double b) { return a / b; }
 

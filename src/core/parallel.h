@@ -1,4 +1,4 @@
-// Loops over fixed blocks: which elements share a block never depends on the number of threads, so sums keep their bits.
+// Loops over fixed blocks: blocks do not depend on the number of threads, so sums have the same bits for any number.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace weir {
 
-// Small enough to balance, large enough that a block's bookkeeping vanishes.
+// Small enough for load balance, large enough for negligible overhead.
 constexpr std::size_t block_size = 256;
 
 inline std::size_t block_count(std::size_t n) { return (n + block_size - 1) / block_size; }
@@ -27,7 +27,7 @@ void parallel_blocks(std::size_t n, ThreadPool& pool, const Body& body) {
 template <class Result, class Map, class Combine>
 Result parallel_reduce(std::size_t n, ThreadPool& pool, const Result& start, const Map& map, const Combine& combine) {
   struct Part {
-    Result value;  // a struct of its own, so that Result may be bool
+    Result value;  // in a struct, as std::vector<bool> is not an array
   };
   std::vector<Part> parts(block_count(n), Part{start});
   parallel_blocks(n, pool,

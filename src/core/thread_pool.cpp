@@ -13,12 +13,11 @@ namespace weir {
 
 namespace {
 
-// A helper is worth waking for at least this many turns.
-constexpr std::size_t turns_per_helper = 2;
+// Waking a helper pays from this many tasks on.
+constexpr std::size_t tasks_per_helper = 2;
 
-// How often a thread looks again before it sleeps: some 10 us, as long as waking takes. Steps of few particles are a chain
-// of short loops.
-constexpr int looks = 200;
+// Polls before a thread sleeps: some 10 us, as long as waking takes. Steps of few particles are a chain of short loops.
+constexpr int polls = 200;
 
 void pause() {
 #if defined(__x86_64__)
@@ -26,9 +25,9 @@ void pause() {
 #endif
 }
 
-// Waits until `value` is no longer `old`.
+// Waits until `value` differs from `old`.
 void await_change(const std::atomic<int>& value, int old) {
-  for (int look = 0; look < looks; ++look) {
+  for (int poll = 0; poll < polls; ++poll) {
     if (value.load(std::memory_order_acquire) != old) return;
     pause();
   }
@@ -49,15 +48,15 @@ int thread_count(int requested) {
   if (const char* text = std::getenv("OMP_NUM_THREADS")) {
     const std::string_view view(text);
     int count = 0;
-    // A list "4,2" means nested loops: the first number is ours.
+    // A list "4,2" gives levels of nesting; the first number is that of outer loops.
     const auto [end, error] = std::from_chars(view.data(), view.data() + view.size(), count);
     if (error == std::errc() && count > 0 && (end == view.data() + view.size() || *end == ',')) return count;
   }
   return processors();
 }
 
-ThreadPool::ThreadPool(int threads) : shares_(static_cast<std::size_t>(std::max(threads, 1))) {
-  for (std::size_t k = 1; k < shares_.size(); ++k) helpers_.emplace_back([this, k] { help(k); });
+ThreadPool::ThreadPool(int threads) : chunks_(static_cast<std::size_t>(std::max(threads, 1))) {
+  for (std::size_t k = 1; k < chunks_.size(); ++k) helpers_.emplace_back([this, k] { help(k); });
 }
 
 ThreadPool::~ThreadPool() {
@@ -74,7 +73,7 @@ void ThreadPool::give_way_to(const std::atomic<int>& others) {
 
 void ThreadPool::run(std::size_t count, Call call, const void* object) {
   const Span span(loop_span);
-  std::size_t wanted = std::min({helpers_.size(), most_helpers_, count / turns_per_helper});
+  std::size_t wanted = std::min({helpers_.size(), most_helpers_, count / tasks_per_helper});
   if (others_ != nullptr) wanted = std::min(wanted, static_cast<std::size_t>(std::max(processors_ - *others_ - 1, 0)));
   if (wanted == 0) {
     for (std::size_t k = 0; k < count; ++k) call(object, k);
@@ -83,9 +82,9 @@ void ThreadPool::run(std::size_t count, Call call, const void* object) {
   call_ = call;
   object_ = object;
   wanted_ = wanted;
-  for (std::size_t k = 0; k < shares_.size(); ++k) {
-    shares_[k].next = count * k / shares_.size();
-    shares_[k].end = count * (k + 1) / shares_.size();
+  for (std::size_t k = 0; k < chunks_.size(); ++k) {
+    chunks_[k].next = count * k / chunks_.size();
+    chunks_[k].end = count * (k + 1) / chunks_.size();
   }
   open_ = true;
   ++loops_;
@@ -94,28 +93,28 @@ void ThreadPool::run(std::size_t count, Call call, const void* object) {
   } else {
     for (std::size_t k = 0; k < wanted; ++k) loops_.notify_one();
   }
-  take_turns(0);
-  // A helper first counts itself inside and then looks whether the loop is open; this closes it and then looks for helpers
-  // inside. In that order (sequentially consistent), either it sees the loop closed or it is waited for here.
+  run_tasks(0);
+  // A helper increments inside_ and then reads open_; here open_ is cleared and then inside_ is read. In this
+  // sequentially consistent order either the helper sees the loop closed, or it is waited for here.
   open_ = false;
   for (int inside = inside_; inside != 0; inside = inside_) await_change(inside_, inside);
 }
 
-void ThreadPool::take_turns(std::size_t first_share) {
-  for (std::size_t n = 0; n < shares_.size(); ++n) {
-    Share& share = shares_[(first_share + n) % shares_.size()];
-    for (std::size_t k = share.next++; k < share.end; k = share.next++) call_(object_, k);
+void ThreadPool::run_tasks(std::size_t first_chunk) {
+  for (std::size_t n = 0; n < chunks_.size(); ++n) {
+    Chunk& chunk = chunks_[(first_chunk + n) % chunks_.size()];
+    for (std::size_t k = chunk.next++; k < chunk.end; k = chunk.next++) call_(object_, k);
   }
 }
 
-void ThreadPool::help(std::size_t share) {
+void ThreadPool::help(std::size_t chunk) {
   int seen = 0;
   while (true) {
     await_change(loops_, seen);
     seen = loops_;
     if (ending_) return;
-    const int place = ++inside_;
-    if (open_ && static_cast<std::size_t>(place) <= wanted_) take_turns(share);
+    const int number = ++inside_;
+    if (open_ && static_cast<std::size_t>(number) <= wanted_) run_tasks(chunk);
     --inside_;
     inside_.notify_one();
   }

@@ -1,8 +1,8 @@
-// Threads that share the work of a loop.
+// A thread pool for parallel loops.
 //
-// Not OpenMP, whose waiting threads spin long: beside the threads that draw and encode they would take the very cores that
-// the loop needs (three times slower with the cores shared, measured on two). These soon wait in the kernel, and a loop that
-// ends before a thread has woken does not wait for it.
+// Not OpenMP: its idle threads spin for long and would occupy cores that drawing and encoding need (a loop that shared
+// two cores took three times as long). Idle threads of this pool sleep in the kernel after a short spin, and a loop
+// that ends before a thread has woken does not wait for it.
 #pragma once
 
 #include <algorithm>
@@ -13,15 +13,15 @@
 
 namespace weir {
 
-// That this process may run on.
+// Number of processors in the affinity mask of the process.
 int processors();
 
-// `requested` if positive, else OMP_NUM_THREADS, else the processors this process may run on. Results never depend on it.
+// `requested` if positive, else OMP_NUM_THREADS, else processors(). Results never depend on it.
 int thread_count(int requested);
 
 class ThreadPool {
  public:
-  // How loops are called in a trace: what of a step is in none of them, one thread does alone.
+  // Name of loops in a trace. The part of a step outside them runs on one thread.
   static constexpr const char* loop_span = "loop of the thread pool";
 
   explicit ThreadPool(int threads);  // the caller counts as one
@@ -30,14 +30,15 @@ class ThreadPool {
   ThreadPool& operator=(const ThreadPool&) = delete;
 
   int size() const { return static_cast<int>(helpers_.size()) + 1; }
-  // From the next loop on, at most so many threads work, the caller among them; the others sleep.
+  // Limits the threads of the following loops, the caller included; the others sleep.
   void use_at_most(int threads) { most_helpers_ = static_cast<std::size_t>(std::max(threads - 1, 0)); }
 
-  // From the next loop on, as many processors as `others` says at its start are left to them. It must outlive the loops.
+  // The following loops leave `others` processors, read at the start of each loop, to other threads of the process.
+  // `others` must outlive the loops.
   void give_way_to(const std::atomic<int>& others);
 
-  // body(k) for each k of 0 .. count, once, in any order and on any thread; returns when all are done. The body must not
-  // throw, and must not use this pool.
+  // Runs the tasks body(k), 0 <= k < count, each once, in any order and on any thread; returns when all are done. The
+  // body must not throw and must not use this pool.
   template <class Body>
   void for_each(std::size_t count, const Body& body) {
     run(
@@ -47,24 +48,24 @@ class ThreadPool {
  private:
   using Call = void (*)(const void* object, std::size_t k);
   void run(std::size_t count, Call call, const void* object);
-  void take_turns(std::size_t first_share);
-  void help(std::size_t share);
+  void run_tasks(std::size_t first_chunk);
+  void help(std::size_t chunk);
 
-  // The loop under way; written only while it is closed and nobody is inside.
+  // The current loop; written only while open_ is false and inside_ is zero.
   Call call_ = nullptr;
   const void* object_ = nullptr;
   std::size_t wanted_ = 0;  // helpers
-  // Each thread has a share of the turns, the same in every loop of so many, and then takes what others have left: what it
-  // worked on in the last loop is still in its cache.
-  struct alignas(64) Share {
+  // Each thread starts with a chunk of tasks of its own, the same in every loop of this count, whose data are then
+  // still in its cache; afterwards it takes tasks that are left in other chunks.
+  struct alignas(64) Chunk {
     std::atomic<std::size_t> next{0};
     std::size_t end = 0;
   };
-  std::vector<Share> shares_;
+  std::vector<Chunk> chunks_;
 
   std::atomic<bool> open_{false};
-  std::atomic<int> inside_{0};  // helpers that are, or may be, at work on it
-  std::atomic<int> loops_{0};   // counts up to wake helpers; int is what the kernel can wait on itself
+  std::atomic<int> inside_{0};  // helpers that run, or may run, tasks of it
+  std::atomic<int> loops_{0};   // incremented to wake helpers; an int, as the futex system call takes
   std::atomic<bool> ending_{false};
   const std::atomic<int>* others_ = nullptr;
   int processors_ = 0;

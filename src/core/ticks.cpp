@@ -11,7 +11,7 @@ namespace weir {
 
 namespace {
 
-// Room for rounding: 0.3 / 0.1 is a little less than 3.
+// Tolerance of quotients: 0.3 / 0.1 rounds to less than 3.
 constexpr double slack = 1e-9;
 
 std::string power_of_ten(int exponent) {
@@ -30,7 +30,7 @@ std::string scientific(const std::string& digits, int exponent) {
   return digits == "-1" ? "−" + power : digits + "·" + power;
 }
 
-// A true minus sign is as wide as a digit; a hyphen is not.
+// The minus sign is as wide as a digit; a hyphen is narrower.
 std::string with_minus(std::string text) {
   if (text.starts_with('-')) text.replace(0, 1, "−");
   return text;

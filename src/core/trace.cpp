@@ -18,7 +18,7 @@ struct Event {
   int thread;
 };
 
-// Spans are tens of microseconds apart at least: one lock for all threads costs next to nothing.
+// Spans are at least tens of microseconds apart: one lock for all threads has negligible cost.
 std::mutex mutex;
 std::vector<Event> events;
 std::map<int, const char*> thread_names;

@@ -1,6 +1,5 @@
-// Where a run's time went, for a viewer of traces (chrome://tracing, ui.perfetto.dev): spans of named work on each thread.
-//
-// Off until started; a span then costs one look at a flag.
+// Trace of a run: named spans of time on each thread, for viewers of the Trace Event Format (chrome://tracing,
+// ui.perfetto.dev). While tracing is off a span costs one atomic load.
 #pragma once
 
 #include <atomic>
@@ -14,13 +13,13 @@ class Trace {
  public:
   static void start();
   static bool on() { return on_.load(std::memory_order_relaxed); }
-  // All spans so far, as a JSON object in the Trace Event Format, and an end to recording.
+  // Ends the recording; returns all spans as a JSON object in the Trace Event Format.
   static std::string finish();
-  // Of all spans of this name so far, s.
+  // Sum of the spans of this name so far, s.
   static double total(std::string_view name);
-  // An end to recording, and nothing is kept.
+  // Ends the recording and discards all spans.
   static void drop();
-  // How this thread is called in the viewer, if it is on. `name` must live for ever.
+  // Sets the name of this thread in the viewer, while recording. `name` must have static lifetime.
   static void name_thread(const char* name);
 
  private:
@@ -30,7 +29,7 @@ class Trace {
   static std::atomic<bool> on_;
 };
 
-// Recording for the length of a block: whatever ends it, the next one starts with nothing.
+// Records for the length of a block. However the block ends, the next recording starts empty.
 class Recording {
  public:
   Recording() { Trace::start(); }
@@ -39,7 +38,7 @@ class Recording {
   Recording& operator=(const Recording&) = delete;
 };
 
-// The time from here to the end of the block. `name` must live for ever.
+// A span from construction to the end of the block. `name` must have static lifetime.
 class Span {
  public:
   explicit Span(const char* name) : name_(Trace::on() ? name : nullptr), begin_(name_ != nullptr ? Trace::now() : 0) {}

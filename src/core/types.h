@@ -1,4 +1,4 @@
-// The number and vector types that everything else speaks in.
+// Number and vector types.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,8 @@ namespace weir {
 // Per-particle quantities and pair sums.
 using Real = float;
 
-// A vector of the solver. T is a number or, in vectorised loops, a register of them; that is why this is not GLM's.
+// A vector of the solver. T is a number or, in vectorised loops, a register of numbers, which GLM's vectors do not
+// support.
 template <int Dim, class T = Real>
 struct Vec {
   T e[Dim];

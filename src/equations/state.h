@@ -18,6 +18,16 @@ R pressure_of_state(R ratio, R k, int exponent) {
   return k * (integer_power(ratio, exponent) - R(1));
 }
 
+// The same from c = rho/rho0 - 1: k ((1 + c)^n - 1) by Horner's rule for the binomial sum, which loses no digits where c is
+// small. [Hinsch24 ch. 4.4, Tait of compression]
+template <class R>
+R pressure_of_compression(R c, R k, int exponent) {
+  // (1 + c)^n - 1 = s_n with s_1 = c and s_n = s_(n-1) (1 + c) + c.
+  R s = c;
+  for (int n = 1; n < exponent; ++n) s = multiply_add(s, c, s + c);
+  return k * s;
+}
+
 // p_i / rho_i^2, the form in which the momentum equation takes it. [Hinsch24 Alg. 1, p/rho^2]
 template <class R>
 R pressure_over_density_squared(R p, R rho) {
@@ -28,6 +38,13 @@ R pressure_over_density_squared(R p, R rho) {
 template <class R>
 R pressure_of_term(R p_over_rho_squared, R rho) {
   return p_over_rho_squared * rho * rho;
+}
+
+// rho / rho0 - 1 at pressure p: exact for exponent 1, else to the square of itself over two times exponent - 1.
+// [Cole48, compression]
+template <class R>
+R compression_of_state(R p, R k, int exponent) {
+  return p / (R(exponent) * k);
 }
 
 // c0 = sqrt(dp/drho at rho0) = sqrt(exponent k / rho0), m/s. [Cole48, sound speed]

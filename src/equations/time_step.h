@@ -34,12 +34,17 @@ inline double force_limit(double factor, double h, double a_max) { return factor
 // dt <= factor h^2 / nu, s. [Morris97, time step]
 inline double viscous_limit(double factor, double h, double nu) { return factor * h * h / nu; }
 
-// Euler-Cromer: velocity first, then position with the new velocity, of one component. The position x comes with the
-// rounding error that it owes. [Hinsch24 Alg. 3]
+// Euler-Cromer, of one component: velocity first, m/s, then position with the new velocity.
+// [Hinsch24 Alg. 3, velocity]
 template <class R>
-void euler_cromer(R& x, R& rest, R& v, R a, R dt) {
-  v = multiply_add(dt, a, v);
-  compensated_add(x, rest, dt * v);
+R kicked(R v, R a, R dt) {
+  return multiply_add(dt, a, v);
+}
+
+// The position x, m, comes with the rounding error that it owes. [Hinsch24 Alg. 3, position]
+template <class R>
+void drift(R& x, R& owed, R v, R dt) {
+  compensated_add(x, owed, dt * v);
 }
 
 }  // namespace weir

@@ -1,5 +1,5 @@
-// The one typeface of overlays and plots, DejaVu Sans (Bitstream Vera licence: free to embed), inside the program, so
-// that no font has to be found on the machine that runs it.
+// The typeface of overlays and plots, DejaVu Sans (Bitstream Vera licence: free to embed), embedded in the program: no
+// font has to be installed.
 #pragma once
 
 #include <string_view>

@@ -11,8 +11,8 @@ bool SnapshotRequest::needs_recomputed() const {
                      [](Quantity quantity) { return facts_of(quantity).origin == Origin::recomputed; });
 }
 
-const Field& SetSnapshot::field(Quantity quantity) const {
-  for (const Field& field : fields) {
+const FieldValues& SetSnapshot::field(Quantity quantity) const {
+  for (const FieldValues& field : fields) {
     if (field.quantity == quantity) return field;
   }
   throw std::out_of_range("the snapshot has no field " + std::string(name_of(quantity)));

@@ -31,7 +31,7 @@ struct SnapshotRequest {
 };
 
 // Values of one quantity, component by component for each particle.
-struct Field {
+struct FieldValues {
   Quantity quantity{};
   std::size_t components = 1;
   std::variant<std::vector<float>, std::vector<std::int32_t>> values;
@@ -42,10 +42,10 @@ struct SetSnapshot {
   std::size_t count = 0;
   std::vector<glm::vec3> positions;         // m, of Precision::single; z = 0 in 2D
   std::vector<glm::dvec3> exact_positions;  // m, of Precision::exact; every bit of the solver's state
-  std::vector<Field> fields;                // in the order of the request
+  std::vector<FieldValues> fields;                // in the order of the request
 
   // Throws std::out_of_range when the field was not asked for.
-  const Field& field(Quantity quantity) const;
+  const FieldValues& field(Quantity quantity) const;
   const std::vector<float>& reals(Quantity quantity) const;
   const std::vector<std::int32_t>& integers(Quantity quantity) const;
 };

@@ -23,7 +23,7 @@ namespace {
 using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
 using Context = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 
-// Cairo keeps fonts in a cache that may outlive any owner of ours, so this one lives as long as the program.
+// Never destroyed: cairo caches fonts, and its cache may outlive any owner here.
 cairo_font_face_t* font_face() {
   static cairo_font_face_t* const face = [] {
     const auto bytes = font_dejavu_sans();
@@ -32,7 +32,7 @@ cairo_font_face_t* font_face() {
     if (FT_Init_FreeType(&library) != 0 || FT_New_Memory_Face(library, reinterpret_cast<const FT_Byte*>(bytes.data()),
                                                               static_cast<FT_Long>(bytes.size()), 0, &ft_face) != 0)
       throw std::runtime_error("FreeType cannot read the font inside the program");
-    // No hinting: it would move letters by parts of a pixel, differently for each output.
+    // Without hinting, which would shift letters by parts of a pixel, differently in each output.
     return cairo_ft_font_face_create_for_ft_face(ft_face, FT_LOAD_NO_HINTING);
   }();
   return face;
@@ -55,9 +55,9 @@ void save(const std::filesystem::path& file, const std::string& bytes) {
   if (!out) throw OutputError(fmt::format("cannot write {}", file.string()));
 }
 
-// Cairo numbers surfaces and images through the life of the program; here they count from 1 in each file. Only quoted
-// names are looked at, which pictures in base64 do not contain.
-std::string with_numbers_of_its_own(const std::string& svg) {
+// Renumbers surfaces and images from 1: cairo counts them over the life of the program, and equal data must give equal
+// files. Replaces quoted names only, which base64 images do not contain.
+std::string renumbered(const std::string& svg) {
   static constexpr std::array<std::string_view, 3> names{"\"surface", "\"image", "\"#image"};
   std::map<std::string, std::size_t> numbers;
   std::string result;
@@ -146,14 +146,14 @@ void write_all(const std::filesystem::path& stem, double width, double height, d
     std::string text;
     const Surface surface(cairo_svg_surface_create_for_stream(append, &text, width, height), cairo_surface_destroy);
     draw_on(surface.get(), file, draw);
-    save(file, with_numbers_of_its_own(text));
+    save(file, renumbered(text));
   }
   {
     const std::filesystem::path file = stem.string() + ".pdf";
     std::string text;
     const Surface surface(cairo_pdf_surface_create_for_stream(append, &text, width, height), cairo_surface_destroy);
     draw_on(surface.get(), file, draw);
-    // Cairo cannot be told to leave out the date; blanks in its place keep the offsets that follow.
+    // Cairo always writes the date; blanks in its place keep the offsets of the objects that follow.
     if (const std::size_t date = text.rfind("/CreationDate (D:"); date != std::string::npos) {
       const std::size_t length = text.find(')', date) + 1 - date;
       text.replace(date, length, std::string(length, ' '));

@@ -1,4 +1,4 @@
-// Cairo, owned and checked, with the one font and the colours of all figures.
+// Cairo with ownership and error checks, and the font and colours of all figures.
 #pragma once
 
 #include <cairo.h>
@@ -15,9 +15,8 @@ struct Color {
 inline constexpr Color ink{0.13, 0.13, 0.13};
 inline constexpr Color faint{0.88, 0.88, 0.88};
 
-// The k-th line's colour: the palette of M. Okabe and K. Ito, Color Universal Design (2008), which people with any kind
-// of colour vision can tell apart; the darker ones first, and without its yellow, which is too pale for a line on
-// white.
+// Colour of the k-th line: the palette of M. Okabe and K. Ito, Color Universal Design (2008), distinguishable with any
+// kind of colour vision; darker colours first, without the yellow, which is too pale for a line on white.
 Color series_color(std::size_t k);
 
 enum class Anchor { start, middle, end };
@@ -31,7 +30,7 @@ class Canvas {
   void line(double x0, double y0, double x1, double y1, double width);
   // `y` is the baseline.
   void text(double x, double y, const std::string& text, double size, Anchor anchor = Anchor::start);
-  // Reads upwards, centred at (x, y); x is the baseline.
+  // Upward text, centred at (x, y); x is the baseline.
   void text_upwards(double x, double y, const std::string& text, double size);
   double text_width(const std::string& text, double size);
   cairo_t* context() { return context_; }

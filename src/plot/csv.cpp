@@ -6,7 +6,7 @@ namespace weir {
 
 namespace {
 
-// A field as RFC 4180 has it: quoted where a comma or a quote would be misread.
+// A field after RFC 4180: quoted if it contains a comma, a quote or a line end.
 std::string field(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string quoted = "\"";

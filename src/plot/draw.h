@@ -1,4 +1,4 @@
-// The two kinds of figures, drawn.
+// Drawing of the two kinds of figures.
 #pragma once
 
 #include "plot/plot.h"

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,7 +21,7 @@ constexpr double title_size = 10;
 constexpr double label_size = 9;
 constexpr double tick_size = 8;
 constexpr double margin = 6;
-constexpr double right_margin = 14;  // half a tick label may stand out
+constexpr double right_margin = 14;  // room for half a tick label
 constexpr double title_height = 20;
 constexpr double legend_height = 17;
 constexpr double bottom_height = 36;
@@ -44,10 +45,10 @@ struct Range {
   double high = -std::numeric_limits<double>::infinity();
 };
 
-bool drawable(double value, const Axis& axis) { return std::isfinite(value) && (!axis.logarithmic || value > 0); }
+bool drawable(double value, const PlotAxis& axis) { return std::isfinite(value) && (!axis.logarithmic || value > 0); }
 
 // What the points span, a little wider by `padding` of it.
-Range range_of(const LinePlot& plot, std::vector<double> Series::*values, const Axis& axis, double padding) {
+Range range_of(const LinePlot& plot, std::vector<double> Series::*values, const PlotAxis& axis, double padding) {
   Range range;
   for (const Series& series : plot.series)
     for (const double value : series.*values)
@@ -61,14 +62,14 @@ Range range_of(const LinePlot& plot, std::vector<double> Series::*values, const 
     const double factor = range.high > range.low ? std::pow(range.high / range.low, padding) : 2;
     return {range.low / factor, range.high * factor};
   }
-  // Differences that are rounding alone are not worth an axis.
+  // A span of rounding errors is drawn as a constant.
   const double size = std::max(std::abs(range.low), std::abs(range.high));
   const double span = range.high - range.low;
   const double more = span > 1e-8 * size ? padding * span : size > 0 ? 0.1 * size : 1;
   return {range.low - more, range.high + more};
 }
 
-std::vector<Tick> ticks_of(const Range& range, const Axis& axis, int most) {
+std::vector<Tick> ticks_of(const Range& range, const PlotAxis& axis, int most) {
   return axis.logarithmic ? logarithmic_ticks(range.low, range.high) : linear_ticks(range.low, range.high, most);
 }
 
@@ -108,7 +109,7 @@ class Figure {
       if (!tick.label.empty()) canvas_.line(x_(tick.value), top_, x_(tick.value), bottom_, 0.5);
     for (const Tick& tick : y_ticks_)
       if (!tick.label.empty()) canvas_.line(left_, y_(tick.value), right_, y_(tick.value), 0.5);
-    // Signed quantities are read against zero.
+    // A zero line for signed quantities.
     if (!plot_.y.logarithmic && y_range_.low < 0 && y_range_.high > 0) {
       canvas_.color({0.55, 0.55, 0.55});
       canvas_.line(left_, y_(0), right_, y_(0), 0.7);
@@ -124,7 +125,7 @@ class Figure {
     for (std::size_t k = 0; k < plot_.series.size(); ++k) {
       const Series& series = plot_.series[k];
       canvas_.color(series_color(k));
-      // Each is narrower than those below it, so that lines that coincide are all seen.
+      // Each line is narrower than those below it, so that coinciding lines are all visible.
       cairo_set_line_width(context, 1.2 + 1.0 * static_cast<double>(plot_.series.size() - 1 - k));
       bool drawing = false;
       for (std::size_t point = 0; point < series.x.size(); ++point) {
@@ -148,7 +149,7 @@ class Figure {
     }
     for (const Tick& tick : y_ticks_) {
       canvas_.line(left_ - (tick.label.empty() ? 1.5 : tick_length), y_(tick.value), left_, y_(tick.value), 0.8);
-      // A third of the size below the middle is where the digits' middle is.
+      // The baseline that centres digits vertically.
       canvas_.text(left_ - tick_length - 2, y_(tick.value) + 0.36 * tick_size, tick.label, tick_size, Anchor::end);
     }
     canvas_.text((left_ + right_) / 2, figure_height - margin - 2, plot_.x.title, label_size, Anchor::middle);
@@ -156,7 +157,7 @@ class Figure {
     canvas_.text(left_, 14, plot_.title, title_size);
   }
 
-  // In a row above the plot, where it hides nothing.
+  // A row above the plot.
   void draw_legend() {
     const double baseline = title_height + 10;
     double x = left_;

@@ -20,7 +20,7 @@ constexpr double caption_size = 8;
 
 using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
 
-// Cairo wants native-endian words of premultiplied alpha.
+// Cairo takes native-endian words with premultiplied alpha.
 Surface surface_of(const Image& image) {
   Surface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, image.width, image.height), cairo_surface_destroy);
   cairo_surface_flush(surface.get());
@@ -50,7 +50,7 @@ void draw_pictures(const std::filesystem::path& stem, const PictureGrid& grid) {
   const double cell_height = cell_width * first.height / first.width;
   const double top = grid.title.empty() ? margin : title_height;
   const double height = top + rows * (cell_height + caption_height) + margin;
-  // The pictures keep their pixels.
+  // One pixel of the PNG per pixel of a picture.
   const double pixels_per_point = first.width / cell_width;
 
   std::vector<Surface> surfaces;

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <stdexcept>
 #include <system_error>
 
 #include "core/error.h"
 #include "core/module.h"
+#include "core/write_text.h"
 #include "plot/plot_module.h"
 
 namespace weir {
@@ -19,13 +19,6 @@ void make_folder(const std::filesystem::path& stem) {
   std::error_code trouble;
   if (!folder.empty()) std::filesystem::create_directories(folder, trouble);
   if (trouble) throw OutputError(fmt::format("cannot make {}: {}", folder.string(), trouble.message()));
-}
-
-void write_text(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw OutputError(fmt::format("cannot write {}", file.string()));
 }
 
 void check(const LinePlot& plot) {

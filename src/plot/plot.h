@@ -1,5 +1,4 @@
-// Figures as a report prints them: SVG and PDF to print, PNG to look at, CSV to compute with. The same data gives the
-// same bytes.
+// Figures of reports as SVG, PDF and PNG, their data as CSV. The same data gives the same bytes.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +9,7 @@
 
 namespace weir {
 
-struct Axis {
+struct PlotAxis {
   std::string title;   // with its unit, as drawn: "time t in s"
   std::string column;  // of the CSV: "time[s]"
   bool logarithmic = false;
@@ -24,8 +23,8 @@ struct Series {
 
 struct LinePlot {
   std::string title;
-  Axis x;
-  Axis y;
+  PlotAxis x;
+  PlotAxis y;
   std::string legend;         // what the series differ in, as drawn: "stiffness k in Pa"
   std::string series_column;  // the same for the CSV: "stiffness[Pa]"
   std::vector<Series> series;
@@ -43,13 +42,13 @@ struct PictureGrid {
   std::vector<Picture> pictures;
 };
 
-// Write `stem`.svg, .pdf and .png (and .csv for lines), making the folder. Throw OutputError naming the file, and
+// Write `stem`.svg, .pdf and .png (and .csv for lines) and create the folder. Throw OutputError naming the file, and
 // std::invalid_argument for data that cannot be drawn: no series, x and y of different lengths, pictures of different
 // sizes.
 void write_plot(const std::filesystem::path& stem, const LinePlot& plot);
 void write_plot(const std::filesystem::path& stem, const PictureGrid& grid);
 
-// One row per point: series, x, y; numbers with as many digits as reading them back needs.
+// One row per point: series, x, y; numbers are the shortest that read back to the same bits.
 std::string csv_of(const LinePlot& plot);
 
 }  // namespace weir

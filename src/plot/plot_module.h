@@ -1,4 +1,4 @@
-// What the module weir_plot offers to its loader. Exceptions pass through.
+// Interface of the module weir_plot. Exceptions pass through.
 #pragma once
 
 #include "plot/plot.h"

@@ -1,4 +1,4 @@
-// Shaders, part of the module itself.
+// Shaders, embedded in the module.
 #pragma once
 
 #include <string_view>

@@ -1,7 +1,7 @@
-// A few dozen particles in a row, as balls: what part of the picture they may touch, and how near they may be.
+// Groups of a few dozen consecutive particles, drawn as spheres: bounds of the pixels and of the depths of each group.
 //
-// The solver hands particles over so that those near each other in space stand near each other in memory, so a group fills a
-// small box. In any other order boxes are large, which costs time and changes nothing.
+// The order of the solver keeps neighbours in space close in memory, so a group fills a small box. In any other order
+// boxes are large, which costs time and changes no pixel.
 #pragma once
 
 #include <array>

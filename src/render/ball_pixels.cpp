@@ -30,9 +30,9 @@ struct alignas(sizeof(Eight)) BallPixels::Block {
   EightWhole second_ball;
 };
 
-// A ball covers less of a pixel as the squared distance grows, from all to none over about a pixel, in the middle of which
-// lies the edge: the integral is the area of the disc. Its surface is a paraboloid, which meets another where a sphere does,
-// if both are equally far.
+// A ball covers less of a pixel as the squared distance grows, from all to none over about a pixel, in the middle of
+// which lies the edge: the integral is the area of the disc. Its surface is a paraboloid, which meets another where a
+// sphere does, if both are equally far.
 struct BallPixels::Seen {
   float x = 0;  // pixels
   float y = 0;
@@ -61,8 +61,8 @@ WEIR_INLINE void share_of(const Seen& seen, const Eight& squared, Eight& share) 
   share = floor + (floor < share ? one : zero);
 }
 
-// The pixels of two blocks, the first of which has its upper left corner in `left`, `top`. Whether all of them are covered
-// and show two balls then.
+// The pixels of two blocks, the first of which has its upper left corner in `left`, `top`. Whether all of them are
+// covered and show two balls then.
 WEIR_INLINE bool add_to_blocks(Block* blocks, const Seen& seen, std::int32_t number, int left, int top) {
   const Eight zero{};
   const Eight far_away = zero + far;
@@ -105,8 +105,8 @@ WEIR_INLINE bool add_to_blocks(Block* blocks, const Seen& seen, std::int32_t num
 
 using Added = BallPixels::Added;
 
-// Of the balls of eight pixels: how far each pixel is to the right of its ball's centre and up, in radii as drawn; the ball's
-// colour and its share of the pixel.
+// Of the balls of eight pixels: how far each pixel is to the right of its ball's centre and up, in radii as drawn; the
+// ball's colour and its share of the pixel.
 struct Look {
   Eight right;
   Eight up;

@@ -1,13 +1,11 @@
-// What the pixels of a picture show of lit balls: the nearest two in each, and how much of it balls cover. Balls are added
-// one by one, best from the front to the back: then most of those behind are known to change nothing before they are looked
-// at pixel by pixel.
+// CPU rasteriser of lit spheres: the nearest two spheres of each pixel, and their coverage. Spheres are added one by
+// one, preferably front to back, so that most hidden ones are rejected before they are rasterised.
 //
-// All this is the processor's, whatever device then draws. To leave out what is hidden, someone has to know what is seen at
-// each pixel; once that is known there is little left to shade, and a device that runs on the processor had to look at every
-// ball anew for all of the blocks near it.
+// It runs on the processor for every device: hidden spheres can be removed only where the visible ones are known, after
+// which little is left to shade. A software device had to process each sphere again for all blocks near it.
 //
-// Coverage is summed in whole 1/1024 and depths are compared, so pixels do not depend on the order of the balls, but where
-// two surfaces are equally far: there the ball that came first counts as the nearer.
+// Coverage is summed in integers of 1/1024 and depths are compared, so pixels do not depend on the order of spheres,
+// except for equal depths, where the first sphere counts as nearer.
 #pragma once
 
 #include <cstdint>
@@ -48,14 +46,14 @@ class BallPixels {
   explicit BallPixels(const PixelRange& pixels, bool wide_registers = has_wide_registers());
   const PixelRange& all() const { return all_; }
 
-  // From now on balls of this radius, m, seen with so many pixels per metre at one metre of depth, which will have about
-  // `typical_reach` pixels of radius in the picture. Forgets all others.
+  // From now on balls of this radius, m, seen with so many pixels per metre at one metre of depth, which will have
+  // about `typical_reach` pixels of radius in the picture. Forgets all others.
   void begin(double radius, double focal, double typical_reach);
   // Those of our pixels that a ball may touch. It must touch some.
   PixelRange pixels_of(const ScreenBall& ball) const;
   float front_of(const ScreenBall& ball) const { return ball.depth - radius_; }  // m, of the nearest point
-  // Whether nothing changes those of these pixels that are ours if it lies wholly at `front` or further, m. May say no where
-  // it could say yes.
+  // Whether nothing changes those of these pixels that are ours if it lies wholly at `front` or further, m. May say no
+  // where it could say yes.
   bool hides(const PixelRange& pixels, float front) const;
   void add(const ScreenBall& ball);
   std::size_t added() const { return added_.size(); }

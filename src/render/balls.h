@@ -1,5 +1,5 @@
-// Lit balls as texels of a picture, by several threads: each has strips of the picture to itself. As pixels depend neither on
-// the order of the balls nor on what other pixels show, they do not depend on the threads.
+// Lit spheres, rasterised by several threads, each in strips of the picture of its own. Pixels depend neither on the
+// order of spheres nor on other pixels, hence not on the number of threads.
 #pragma once
 
 #include <array>

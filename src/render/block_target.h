@@ -1,4 +1,4 @@
-// Pictures that are drawn block by block: a texel holds the pixels of a row of one block, packed into an integer.
+// Render targets in blocks: a texel packs the pixels of one row of a block into an integer.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace weir {
 
-// Red, green, blue and alpha: even and odd rows in a texture each, four pixels a texel. Throws DeviceError if the driver
-// cannot.
+// Red, green, blue and alpha: even and odd rows in a texture each, four pixels a texel. Throws DeviceError if the
+// driver cannot.
 class ColorTarget {
  public:
   ColorTarget(int width, int height);  // pixels; the height is even
@@ -40,8 +40,8 @@ class ColorTarget {
   std::vector<Texel> rows_;  // where the width is not that of whole blocks
 };
 
-// What pictures are drawn over, as a buffer of the texels of ColorTarget, row by row: the software renderer reads such a
-// buffer in half the time that a texture takes.
+// What pictures are drawn over, as a buffer of the texels of ColorTarget, row by row: the software renderer reads such
+// a buffer in half the time that a texture takes.
 class Backdrop {
  public:
   Backdrop(int width, int height);  // pixels; the height is even

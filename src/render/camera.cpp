@@ -32,12 +32,12 @@ void include(Bounds& bounds, const Polygon& polygon) {
   for (const Vec3& point : polygon.points) include(bounds, point);
 }
 
-// How far the quantity has come between two keyframes: still at both, smooth in between.
+// Smoothstep between two keyframes: zero velocity at both.
 double smoothstep(double along) { return along * along * (3 - 2 * along); }
 
 View2D between(const View2D& from, const View2D& to, double along) {
   const double width = from.width * std::pow(to.width / from.width, along);
-  // A similarity other than a shift has a fixed point; it stays put if the centre moves as the width does.
+  // A similarity other than a translation has a fixed point, which is kept if the centre moves with the width.
   const bool zooms = std::abs(to.width - from.width) > 1e-9 * from.width;
   const double share = zooms ? (width - from.width) / (to.width - from.width) : along;
   return {glm::mix(from.center, to.center, share), width};
@@ -50,8 +50,8 @@ View3D between(const View3D& from, const View3D& to, double along) {
   const double to_length = glm::length(to_arm);
   const Vec3 from_direction = from_arm / from_length;
   const Vec3 to_direction = to_arm / to_length;
-  // The eye goes round the target on the sphere, along the shorter arc; from one side to the exactly opposite one,
-  // horizontally.
+  // The eye moves on a sphere around the target along the shorter arc; horizontally between exactly opposite
+  // directions.
   const double angle = std::acos(std::clamp(glm::dot(from_direction, to_direction), -1.0, 1.0));
   Vec3 aside = to_direction - glm::dot(from_direction, to_direction) * from_direction;
   if (glm::length(aside) < 1e-9) aside = glm::cross(Vec3(0, 0, 1), from_direction);
@@ -84,7 +84,7 @@ Bounds bounds_of(const Scene& scene, const StaticScene& static_scene) {
     all.min -= Vec3(0.25 * larger);
     all.max += Vec3(0.25 * larger);
   } else {
-    all = {Vec3(-0.5), Vec3(0.5)};  // nothing at all: any view is as good
+    all = {Vec3(-0.5), Vec3(0.5)};  // an empty scene: any view
   }
   if (scene.dimension == 2) all.min.z = all.max.z = 0;
   return all;

@@ -1,4 +1,4 @@
-// Where the camera is at a time.
+// The path of the camera over time.
 #pragma once
 
 #include "frame/frame.h"
@@ -7,13 +7,13 @@
 
 namespace weir {
 
-// What an automatic view shows: walls with their particles' size, and the fluid at the start. Without walls there is no
-// telling where the fluid goes; then a quarter of its larger extent is added on every side.
+// Bounds of the automatic view: walls, including the size of their particles, and the fluid at the start. Without walls
+// the motion of the fluid is unknown: a quarter of its larger extent is added on every side.
 Bounds bounds_of(const Scene& scene, const StaticScene& static_scene);
 
 class CameraPath {
  public:
-  // `content` is the part of the picture that the overlay leaves to the scene; only an automatic view heeds it.
+  // `content` is the part of the picture without overlay, into which an automatic view is fitted.
   CameraPath(const Scene& scene, const StaticScene& static_scene, const PixelBox& content);
 
   Projection at(double time) const;  // run time, s
@@ -26,8 +26,8 @@ class CameraPath {
   int height_;
 };
 
-// Between two views of one kind, `along` in [0, 1]: the picture's width changes geometrically, and the centre such that
-// the point that both pictures show at the same place stays there.
+// Interpolates two views of one kind, `along` in [0, 1]: the width changes geometrically, and the centre such that the
+// fixed point of both pictures stays fixed.
 View view_between(const View& from, const View& to, double along);
 
 }  // namespace weir

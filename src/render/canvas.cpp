@@ -6,8 +6,7 @@ namespace weir {
 
 namespace {
 
-// Calls place(along, down, coverage) for each pixel that the text touches: `along` from its start, `down` from the
-// baseline.
+// Calls place(along, down, coverage) for each pixel of the text: `along` from its start, `down` from the baseline.
 template <class Place>
 void rasterise(Font& font, int size, std::string_view utf8, Place&& place) {
   int pen = 0;
@@ -27,7 +26,7 @@ void blend(Image& image, int x, int y, Rgb color, int alpha) {
   if (alpha == 0 || x < 0 || y < 0 || x >= image.width || y >= image.height) return;
   std::uint8_t* pixel = image.pixel(x, y);
   if (pixel[0] == color.r && pixel[1] == color.g && pixel[2] == color.b && pixel[3] == 255) return;
-  if (pixel[3] == 255) {  // by far the most, and worth a division by a constant
+  if (pixel[3] == 255) {  // the common case, with a division by a constant
     const auto mix = [alpha](std::uint8_t top, std::uint8_t bottom) {
       return static_cast<std::uint8_t>((top * alpha + bottom * (255 - alpha) + 127) / 255);
     };
@@ -36,7 +35,7 @@ void blend(Image& image, int x, int y, Rgb color, int alpha) {
     pixel[2] = mix(color.b, pixel[2]);
     return;
   }
-  const int under = pixel[3] * (255 - alpha);  // what is left of the picture's own alpha, times 255
+  const int under = pixel[3] * (255 - alpha);  // remaining alpha of the picture, times 255
   const int total = 255 * alpha + under;       // the new alpha, times 255
   const auto mix = [&](std::uint8_t top, std::uint8_t bottom) {
     return static_cast<std::uint8_t>((top * 255 * alpha + bottom * under + total / 2) / total);

@@ -1,4 +1,4 @@
-// Rectangles and text laid over a picture in memory, "over" with straight alpha.
+// Rectangles and text, composited over a picture in memory with straight alpha.
 #pragma once
 
 #include <string_view>
@@ -9,7 +9,7 @@
 
 namespace weir {
 
-struct IntBox {  // pixels, right and bottom not included
+struct IntBox {  // pixels; right and bottom are exclusive
   int left = 0;
   int top = 0;
   int right = 0;
@@ -18,15 +18,15 @@ struct IntBox {  // pixels, right and bottom not included
   int height() const { return bottom - top; }
 };
 
-// Lays one colour over one pixel; `alpha` 0 .. 255.
+// Composites a colour over a pixel; `alpha` 0 .. 255.
 void blend(Image& image, int x, int y, Rgb color, int alpha);
 
-// The part of the box that lies in the picture.
+// Fills the box, clipped to the picture.
 void fill(Image& image, const IntBox& box, Rgb color, int alpha = 255);
 
-// From (x, baseline) to the right.
+// Text from (x, baseline) to the right.
 void draw_text(Image& image, Font& font, int size, int x, int baseline, std::string_view utf8, Rgb color);
-// From (baseline, y) upwards: turned a quarter to the left.
+// Text from (baseline, y) upwards, rotated by 90 degrees.
 void draw_text_upwards(Image& image, Font& font, int size, int baseline, int y, std::string_view utf8, Rgb color);
 
 }  // namespace weir

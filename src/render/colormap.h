@@ -1,4 +1,4 @@
-// Colour maps: 256 colours each, as their authors published them.
+// Colour maps of 256 colours, as published.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ using Colormap = std::array<std::uint32_t, 256>;  // 0xRRGGBB, sRGB
 
 const Colormap& colormap(ColormapName name);
 
-// The nearest of the 256 entries; values outside the range take the end colours. The shader computes the same.
+// Index of the nearest entry; values outside the range have the end colours. The shader computes the same.
 int colormap_index(double value, const std::array<double, 2>& range);
 
 }  // namespace weir

@@ -51,7 +51,7 @@ std::string no_device_text(const std::string& requested, const std::vector<Devic
 bool library_is_there(const std::vector<std::string>& names, std::string& problem) {
   problem.clear();
   for (const std::string& name : names) {
-    // The handle stays open on purpose: the library is about to be used until the process ends.
+    // The handle stays open: the library is used until the process ends.
     if (dlopen(name.c_str(), RTLD_LAZY | RTLD_LOCAL) != nullptr) return true;
     problem += fmt::format("{}{}", problem.empty() ? "" : "; ", dlerror());
   }

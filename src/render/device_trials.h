@@ -1,4 +1,4 @@
-// The words of a device that would not do: EGL's errors by name, and what to try.
+// Messages about unusable devices: names of EGL errors, and remedies.
 #pragma once
 
 #include <string>
@@ -14,11 +14,11 @@ std::string egl_error_name(int code);
 // "eglInitialize failed with EGL_NOT_INITIALIZED: <hint>".
 std::string egl_failure(const std::string& call, int code);
 
-// What DeviceError says: the request, a line for each trial, and the way out.
+// Message of DeviceError: the request, a line per trial, a remedy.
 std::string no_device_text(const std::string& requested, const std::vector<DeviceTrial>& trials);
 
-// Whether the loader finds any of the libraries; if not, `problem` says which were tried. libepoxy aborts the process
-// over a missing library, so it may be called only after this.
+// True if the loader finds any of the libraries; otherwise `problem` names the libraries tried. libepoxy aborts the
+// process if a library is missing, so this must be checked before any of its functions is called.
 bool library_is_there(const std::vector<std::string>& names, std::string& problem);
 
 }  // namespace weir

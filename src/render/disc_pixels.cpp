@@ -41,8 +41,8 @@ using Block = DiscPixels::Block;
 using Sheet = DiscPixels::Sheet;
 using Look = DiscPixels::Look;
 
-// The first and the last of the pixels from 0 to `end` whose middle is within reach. Casting truncates towards zero: sums are
-// kept positive, and ends may be one more than needed, where nothing is covered.
+// The first and the last of the pixels from 0 to `end` whose middle is within reach. Casting truncates towards zero:
+// sums are kept positive, and ends may be one more than needed, where nothing is covered.
 WEIR_INLINE int first_pixel(float centre, float reach) {
   return static_cast<int>(std::max(centre - reach - 0.5f, -1.0f) + 1);
 }

@@ -1,10 +1,10 @@
-// What the pixels of a picture show of flat discs: in each the two with the nearest centres, which hold all of it that discs
-// cover. Its colour is theirs, parted along the line between the two.
+// CPU rasteriser of flat discs: each pixel keeps the two discs with the nearest centres, which contain its whole
+// covered part, divided along the bisector of the two centres.
 //
-// The processor makes these pixels, whatever device then lays them over the background: a device that is the processor, too,
-// took a third longer to gather discs by blocks of pixels.
+// It runs on the processor for every device: gathering discs by blocks of pixels on a software device took a third
+// longer.
 //
-// What decides are minima, so pixels do not depend on the order of the discs.
+// Selection is by minima, so pixels do not depend on the order of discs.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +22,9 @@ class DiscPixels final : public ParticlePixels {
  public:
   DiscPixels(int width, int height, bool wide_registers = has_wide_registers());  // pixels
 
-  // What is shown from now on, discs of this radius, pixels: a particle times `scale` plus `offset` is the disc's place in the picture, pixels,
-  // then nothing, then the place of its colour (0xRRGGBB) in the map. What is not a number is left out.
+  // What is shown from now on, discs of this radius, pixels: a particle times `scale` plus `offset` is the disc's place
+  // in the picture, pixels, then nothing, then the place of its colour (0xRRGGBB) in the map. What is not a number is
+  // left out.
   void show(std::span<const glm::vec4> particles, const glm::vec4& scale, const glm::vec4& offset, double radius,
             const Colormap& colors);
 

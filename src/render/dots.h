@@ -1,9 +1,7 @@
-// Discs that are too small to be seen round, added up pixel by pixel on the processor. There is no shape to shade in
-// them, and to sort each into a list for the device costs the processor more than to add it up at once, whatever device
-// then draws.
+// CPU rasteriser of dots, discs too small to look round: coverage is summed per pixel. Sorting dots into lists for the
+// device costs the processor more than summing them.
 //
-// Sums are whole numbers, so they do not depend on the order of the dots. They hold until a pixel is covered 8,000
-// times over.
+// Sums are integers, so they do not depend on the order of dots; they overflow at a coverage of 8,000.
 #pragma once
 
 #include <array>

@@ -18,7 +18,7 @@ struct EglContext::Candidate {
   std::string name;
   EGLenum platform;
   void* native;   // the EGLDeviceEXT; EGL_DEFAULT_DISPLAY for the surfaceless platform
-  bool software;  // Mesa's software device: nothing but the processor draws
+  bool software;  // Mesa's software device
 };
 
 namespace {
@@ -29,7 +29,7 @@ bool has_extension(const char* list, const std::string& name) {
   return spaced.find(fmt::format(" {} ", name)) != std::string::npos;
 }
 
-// What was current before, back again at the end: trying devices must not take a renderer's context away.
+// Restores the current context at the end of its scope: trying devices must not replace the context of a renderer.
 class CurrentContextKeeper {
  public:
   CurrentContextKeeper() : display_(eglGetCurrentDisplay()), context_(eglGetCurrentContext()) {}
@@ -50,7 +50,7 @@ bool libraries_are_there(std::vector<DeviceTrial>& trials) {
     trials.push_back({"EGL", false, problem + ": install libegl1"});
     return false;
   }
-  // libepoxy takes OpenGL's oldest functions from one of these, and ends the process if it finds neither.
+  // libepoxy takes the oldest OpenGL functions from one of these and aborts the process if both are missing.
   if (!library_is_there({"libOpenGL.so.0", "libGL.so.1"}, problem)) {
     trials.push_back({"OpenGL", false, problem + ": install libopengl0"});
     return false;
@@ -119,8 +119,8 @@ std::unique_ptr<EglContext> EglContext::try_candidate(const Candidate& candidate
   };
   EGLDisplay display = eglGetPlatformDisplayEXT(candidate.platform, candidate.native, nullptr);
   if (display == EGL_NO_DISPLAY) return refuse("eglGetPlatformDisplayEXT");
-  // Displays are never terminated: asking for the same device again gives the same display, and eglTerminate would end
-  // it for every renderer of this process.
+  // Displays are never terminated: a device has one display per process, and eglTerminate would invalidate it for every
+  // renderer.
   EGLint major = 0;
   EGLint minor = 0;
   if (!eglInitialize(display, &major, &minor)) return refuse("eglInitialize");
@@ -134,7 +134,7 @@ std::unique_ptr<EglContext> EglContext::try_candidate(const Candidate& candidate
   EGLConfig config = EGL_NO_CONFIG_KHR;
   if (!has_extension(extensions, "EGL_KHR_no_config_context")) {
     const std::array<EGLint, 5> wanted = {EGL_SURFACE_TYPE,
-                                          0,  // no window, pixmap or pbuffer has to be possible: we bring framebuffers
+                                          0,  // no window, pixmap or pbuffer is needed: rendering is to framebuffers
                                           EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,  // desktop OpenGL, not ES
                                           EGL_NONE};
     EGLint found = 0;
@@ -205,7 +205,7 @@ std::vector<DeviceTrial> EglContext::try_all() {
       try_candidate(candidate, trials.back());
     }
   }
-  // Behind the devices, so that a device's place in the list is its number.
+  // After the devices, so that a device's index in the list is its number.
   trials.insert(trials.end(), general.begin(), general.end());
   return trials;
 }

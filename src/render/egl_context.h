@@ -1,4 +1,4 @@
-// An OpenGL 4.5 core context without window system and without surface: drawing goes to framebuffer objects alone.
+// An OpenGL 4.5 core context without window system or surface; rendering is to framebuffer objects.
 #pragma once
 
 #include <memory>
@@ -11,10 +11,10 @@ namespace weir {
 
 class EglContext {
  public:
-  // The first device of the choice that works. Throws DeviceError with all that were tried.
+  // The first usable device of the choice. Throws DeviceError naming every device tried.
   static std::unique_ptr<EglContext> open(const DeviceChoice& choice);
 
-  // Every device, in the order in which "auto" tries them.
+  // Trials of every device, in the order of "auto".
   static std::vector<DeviceTrial> try_all();
 
   ~EglContext();
@@ -23,7 +23,7 @@ class EglContext {
 
   void make_current() const;
   const std::string& gl_renderer() const { return gl_renderer_; }
-  bool is_processor() const;  // nothing but the processor draws
+  bool is_processor() const;  // a software device
 
  private:
   struct Candidate;

@@ -1,6 +1,6 @@
-// The eight pixels of a block in the compilers' own vector types: two rows of four, in one register where the processor has
-// registers of eight floats, else in two. They are passed to nobody: functions that take some are parts of their callers,
-// which say for which registers they are built.
+// The eight pixels of a block in vector types of the compiler: two rows of four, in one register of eight floats or in
+// two of four. Functions with these parameters are always inlined, as their calling convention depends on the
+// instruction set of the caller.
 #pragma once
 
 #include <array>

@@ -40,7 +40,7 @@ const Glyph& Font::glyph(char32_t character, int size) {
   if (!is_new) return glyph;
   FT_Face face = face_->face;
   Face::check(FT_Set_Pixel_Sizes(face, 0, static_cast<FT_UInt>(size)), "FT_Set_Pixel_Sizes");
-  // Light hinting moves outlines up and down only: stems meet pixel rows, and widths stay the designer's.
+  // Light hinting moves outlines vertically only: horizontal stems align with pixel rows, and widths are unchanged.
   Face::check(FT_Load_Char(face, character, FT_LOAD_RENDER | FT_LOAD_TARGET_LIGHT), "FT_Load_Char");
   const FT_GlyphSlot slot = face->glyph;
   const FT_Bitmap& bitmap = slot->bitmap;

@@ -16,7 +16,7 @@ struct Glyph {
   int width = 0;                       // pixels
   int height = 0;                      // pixels
   int advance = 0;                     // pixels to the next pen position
-  std::vector<std::uint8_t> coverage;  // row by row, 255 = all of the pixel
+  std::vector<std::uint8_t> coverage;  // row by row; 255: the whole pixel
 };
 
 class Font {
@@ -27,7 +27,7 @@ class Font {
   Font(const Font&) = delete;
   Font& operator=(const Font&) = delete;
 
-  // `size` is the em in pixels. A character that the font lacks gives its box.
+  // `size` is the em in pixels. A missing character has the glyph of the box.
   const Glyph& glyph(char32_t character, int size);
   int width(std::string_view utf8, int size);  // pixels
 
@@ -37,7 +37,7 @@ class Font {
   std::map<std::pair<char32_t, int>, Glyph> glyphs_;
 };
 
-// Code points of UTF-8 text; a byte that is no UTF-8 becomes U+FFFD.
+// Code points of UTF-8 text; an invalid byte becomes U+FFFD.
 std::u32string code_points(std::string_view utf8);
 
 }  // namespace weir

@@ -1,5 +1,4 @@
-// Four floats or whole numbers at once, in the compilers' own vector types: what the processor does for each particle or
-// pixel of a picture.
+// Vectors of four floats or integers in vector types of the compiler, for particles and pixels on the processor.
 #pragma once
 
 #include <algorithm>
@@ -31,8 +30,8 @@ inline std::array<Four, 4> transposed(const std::array<Four, 4>& of) {
           __builtin_shufflevector(high_a, high_b, 0, 1, 4, 5), __builtin_shufflevector(high_a, high_b, 2, 3, 6, 7)};
 }
 
-// Calls visit with four vectors at a time, of all x, y, z and w of four of them; what is missing to the last four is not
-// a number.
+// Calls visit with four vectors at a time, of all x, y, z and w of four of them; what is missing to the last four is
+// not a number.
 template <class Visit>
 void visit_by_four(std::span<const glm::vec4> vectors, const Visit& visit) {
   const auto load = [](const glm::vec4& from) {

@@ -16,7 +16,7 @@ GLuint created(Create create) {
 }
 
 void compile(GLuint program, GLenum stage, const std::string& source, const std::string& defines) {
-  const std::size_t line_end = source.find('\n') + 1;  // the first line is #version, and nothing may stand before it
+  const std::size_t line_end = source.find('\n') + 1;  // the first line must be #version
   const std::string text = source.substr(0, line_end) + defines + "#line 2\n" + source.substr(line_end);
   const char* pointer = text.c_str();
   const GLuint shader = glCreateShader(stage);
@@ -33,7 +33,7 @@ void compile(GLuint program, GLenum stage, const std::string& source, const std:
     throw DeviceError(fmt::format("a shader does not compile on this driver:\n{}", log));
   }
   glAttachShader(program, shader);
-  glDeleteShader(shader);  // lives on while it is attached
+  glDeleteShader(shader);  // deleted once it is detached
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// OpenGL objects that delete themselves; the context in which they were made must then be current.
+// Owning handles of OpenGL objects; destruction requires the context of their creation to be current.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -39,7 +39,7 @@ struct FramebufferTraits {
   static GLuint create();
   static void destroy(GLuint id);
 };
-struct TextureTraits {  // made by make_texture: what it is, is fixed at its birth
+struct TextureTraits {  // see make_texture: format and size are immutable
   static void destroy(GLuint id);
 };
 struct ProgramTraits {
@@ -52,16 +52,16 @@ using GlFramebuffer = GlObject<FramebufferTraits>;
 using GlTexture = GlObject<TextureTraits>;
 using GlProgram = GlObject<ProgramTraits>;
 
-// `defines` stand behind the #version line of both stages. Throws DeviceError with the compiler's log.
+// `defines` are inserted after the #version line of both stages. Throws DeviceError with the compiler's log.
 GlProgram build_program(const std::string& vertex_source, const std::string& fragment_source,
                         const std::string& defines);
 
-// Throws DeviceError if any call since the last check went wrong.
+// Throws DeviceError if any call since the last check failed.
 void check_drawn();
 
-// One level of texels, read as they are.
+// A texture of one level, without filtering.
 GlTexture make_texture(GLenum format, int width, int height);
-// A view of a buffer as texels of that format.
+// A buffer texture of that format.
 GlTexture make_buffer_texture(GLenum format, GLuint buffer);
 
 }  // namespace weir

@@ -12,10 +12,10 @@ namespace weir {
 
 namespace {
 
-// Images that are drawn, wait and are encoded at one time, and some to spare.
+// Images that are drawn, queued and encoded at the same time, with some reserve.
 constexpr std::size_t most_known = 8;
 
-// Walls in 3D are paler than the fluid, which is drawn over them wherever it is.
+// Walls in 3D are paler than the fluid, which is drawn over them.
 constexpr double deep_wall_opacity = 0.5;
 
 std::uint32_t packed(Rgb color, std::uint32_t alpha) {
@@ -30,11 +30,11 @@ Colormap only(std::uint32_t color) {
 
 int round_up(int value, int unit) { return (value + unit - 1) / unit * unit; }
 
-// The boxes, grown to whole blocks, within a picture of whole blocks.
+// The boxes, extended to whole blocks, within a picture of whole blocks.
 std::vector<IntBox> on_blocks(const std::vector<IntBox>& boxes, int width, int height) {
   std::vector<IntBox> grown;
   for (const IntBox& box : boxes) {
-    // One block more to the right: its chroma takes from the pixel to its left.
+    // One block more to the right: its chroma samples the pixel to its left.
     const IntBox whole{
         std::max(box.left, 0) / block_width * block_width, std::max(box.top, 0) / block_height * block_height,
         std::min(round_up(box.right + 1, block_width), width), std::min(round_up(box.bottom, block_height), height)};
@@ -83,7 +83,7 @@ GlRenderer::~GlRenderer() {
   try {
     context_->make_current();
   } catch (const std::exception&) {
-    // Then the context is lost, and its objects with it.
+    // The context is lost, with its objects.
   }
 }
 
@@ -94,7 +94,7 @@ void GlRenderer::see(const Frame& frame) {
     projection_ = projection;
     for (const IntBox& box : fixed_) clear(layer_, box);
     overlay_.draw_fixed(projection_, layer_);
-    texts_number_ = 0;  // one box may reach into another
+    texts_number_ = 0;  // boxes may overlap
   }
   const std::string texts = overlay_.changing_text(frame);
   if (texts_number_ == 0 || texts_ != texts) {
@@ -165,7 +165,7 @@ void GlRenderer::draw_on(Sheet<Target>& sheet, PixelsFor use) {
 
 void GlRenderer::compose(Composed& movie, Shown& shown, MovieImage& image) {
   if (movie.background_view != view_) {
-    drawing_->background.view = -1;  // only lent
+    drawing_->background.view = -1;  // borrowed
     draw_walls(true, drawing_->background.backdrop);
     drawing_->walls.read(movie.background);
     movie.background_view = view_;
@@ -189,12 +189,12 @@ void GlRenderer::start(const Frame& frame) {
   if (under_way_.size() == most_under_way()) throw DeviceError("more pictures begun than can be under way");
   context_->make_current();
   see(frame);
-  // The same one again if that is free.
+  // The same sheet again if it is free.
   const std::size_t sheet = under_way_.empty() ? 0 : 1 - under_way_.front();
   if (!composes_) {
     if (sheet == drawing_->movie.size()) drawing_->movie.emplace_back(width_, height_);
     draw_on(drawing_->movie[sheet], PixelsFor::movie);
-    glFlush();  // the device may begin
+    glFlush();  // starts the device
   }
   under_way_.push_back(sheet);
 }
@@ -221,9 +221,9 @@ void GlRenderer::compose(MovieImage& image) {
     if (shown.size() == most_known) shown.erase(shown.begin());
     known = std::map<std::int64_t, Shown>{{0, {}}}.extract(0);
   }
-  image.known_as = 0;  // until it is drawn
+  image.known_as = 0;  // undefined until it is drawn
   compose(*drawing_->composed, known.mapped(), image);
-  static std::atomic<std::int64_t> last{0};  // of all renderers: an image may go from one to the next
+  static std::atomic<std::int64_t> last{0};  // of all renderers: an image may be passed between them
   known.key() = image.known_as = ++last;
   shown.insert(std::move(known));
 }

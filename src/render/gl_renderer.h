@@ -1,4 +1,4 @@
-// The renderer behind renderer.h.
+// Implementation of the interface renderer.h.
 #pragma once
 
 #include <array>
@@ -31,63 +31,63 @@ class GlRenderer final : public Renderer {
   const std::string& gl_renderer() const override { return context_->gl_renderer(); }
 
  private:
-  // What a picture shows.
+  // Versions of the parts of a drawn picture.
   struct Shown {
     std::int64_t view = -1;  // numbers, see below
     std::int64_t particles = -1;
     std::int64_t texts = -1;
-    std::vector<std::uint8_t> stale;  // squares that show more than the background
+    std::vector<std::uint8_t> stale;  // squares with more than the background
   };
-  // What of that is no longer what is to be shown. A view changes everything.
+  // Parts that differ from the current versions. A change of view changes everything.
   struct Changes {
     bool view;
     bool particles;
     bool texts;
   };
 
-  // A target, and what it shows.
+  // A target and the versions drawn in it.
   template <class Target>
   struct Sheet {
     Sheet(int width, int height) : target(width, height), layer(width, height) { layer.clear(); }
     Target target;
-    ColorTarget layer;  // the overlay; one each, so that the next picture's need not wait for the last to be drawn
+    ColorTarget layer;  // the overlay, one per target: the next picture does not wait for the last
     Shown shown;
   };
-  // Colour and walls: drawn once for each view.
+  // Background colour and walls, drawn once per view.
   struct Background {
     Background(int width, int height) : backdrop(width, height) {}
     Backdrop backdrop;
     std::int64_t view = -1;
   };
-  // Of a movie's pictures that the processor composes.
+  // State of movie frames that the processor composes.
   struct Composed {
     Composed(int width, int height, std::span<const IntBox> text_boxes) : pixels(width, height, text_boxes) {}
     MoviePixels pixels;
-    std::vector<Texel> background;  // as MovieLayers has it
+    std::vector<Texel> background;  // see MovieLayers
     std::int64_t background_view = -1;
-    std::map<std::int64_t, Shown> shown;  // what the last images show, by MovieImage::known_as
+    std::map<std::int64_t, Shown> shown;  // versions in the last images, by MovieImage::known_as
   };
 
-  // Everything that lives in the context, so that it can go before the context does.
+  // Objects of the context, destroyed before it.
   struct Drawing {
     Drawing(int width, int height, bool transparent, int threads);
     ParticlePainter particles;
     Background background;
-    std::optional<Background> movie_background;  // where that is transparent: a movie's
-    ColorTarget walls;                           // on the way there
-    // Made when first asked for.
+    std::optional<Background> movie_background;  // of movies, if the scene's is transparent
+    ColorTarget walls;                           // intermediate target
+    // Created at first use.
     std::optional<Sheet<ColorTarget>> picture;
-    std::vector<Sheet<MovieTarget>> movie;  // one, or two if one is begun before the last is read
+    std::vector<Sheet<MovieTarget>> movie;  // two if a frame is started before the last is read, else one
     std::optional<Composed> composed;
   };
 
-  // Brings what is to be shown up to the frame, with its numbers.
+  // Updates the current versions to the frame.
   void see(const Frame& frame);
   void draw_changing_texts(const Frame& frame);
   void draw_walls(bool opaque, Backdrop& below);  // into the target of walls
   const Backdrop& drawn(Background& background, bool opaque);
-  // Arranges particles for it if need be, and counts it as showing all that is to be shown.
-  // If particles are to be drawn, says what rows are arranged.
+  // Rasterises particles for the target if necessary, and sets its versions to the current ones.
+  // `arranged` is called for each finished row of screen tiles, if particles are drawn.
   Changes bring_up(
       Shown& shown, const ParticlePixels::RowTaken& arranged = [](int) {});
   template <class Target>
@@ -106,23 +106,23 @@ class GlRenderer final : public Renderer {
   Overlay overlay_;
   CameraPath camera_;
   std::unique_ptr<EglContext> context_;
-  bool composes_;  // the processor puts a movie's pictures together
+  bool composes_;  // the processor composes movie frames
   std::optional<Drawing> drawing_;
 
-  // What is to be shown, each with a number that grows when it changes.
+  // Current parts of the picture, each with a version number.
   Projection projection_;
   std::int64_t view_ = 0;
   std::vector<glm::vec4> particles_;
   std::int64_t particles_number_ = 0;
   std::string texts_;
   std::int64_t texts_number_ = 0;
-  Image layer_;                // the overlay, as wide as whole blocks
-  std::vector<IntBox> fixed_;  // boxes of the overlay, between blocks
+  Image layer_;                // the overlay, padded to whole blocks
+  std::vector<IntBox> fixed_;  // boxes of the overlay, on block boundaries
   std::vector<IntBox> changing_;
   std::vector<IntBox> boxes_;  // both
 
-  std::deque<std::size_t> under_way_;  // movie sheets, begun and not yet read
-  std::int64_t arranged_ = -1;         // number of the particles that the painter shows
+  std::deque<std::size_t> under_way_;  // movie sheets, started and not yet read
+  std::int64_t arranged_ = -1;         // version of the particles in the painter
 };
 
 }  // namespace weir

@@ -1,4 +1,4 @@
-// What the module exports; renderer.cpp is the other end.
+// Exported functions of the module, which renderer.cpp loads.
 #include <vector>
 
 #include "render/egl_context.h"

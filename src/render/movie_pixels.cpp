@@ -93,8 +93,8 @@ WEIR_INLINE void differences_of(const Colors& colors, const Eight& luma, Differe
   differences.odd = __builtin_shufflevector(blue, red, 1, 3, 5, 7);
 }
 
-// A sample of chroma lies beside the left edge of its 2 x 2 pixels and takes a quarter of the pixel to its left. `left` are the
-// odd columns of the block to the left.
+// A sample of chroma lies beside the left edge of its 2 x 2 pixels and takes a quarter of the pixel to its left. `left`
+// are the odd columns of the block to the left.
 WEIR_INLINE std::uint32_t chroma_of(const Differences& of, const Four& left) {
   const Four before = __builtin_shufflevector(left, of.odd, 1, 4, 3, 6);
   const FourWhole samples = truncated(128.5f + chroma_scale * (before + 2 * of.even + of.odd));

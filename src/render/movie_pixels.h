@@ -1,5 +1,5 @@
-// A movie's picture, put together by the processor: particles over the background, texts on top, out comes Y'CbCr. Where
-// the device is the processor, this does what compose.frag does, in less time, and nothing has to be read back.
+// Composition of movie frames on the processor: particles over the background, texts on top, converted to Y'CbCr. On a
+// software device this replaces compose.frag, in less time and without read-back.
 #pragma once
 
 #include <cstdint>

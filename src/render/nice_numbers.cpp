@@ -10,7 +10,7 @@ namespace weir {
 
 namespace {
 
-// Room for rounding: 0.3 / 0.1 is a little less than 3.
+// Tolerance of quotients: 0.3 / 0.1 rounds to less than 3.
 constexpr double slack = 1e-9;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Round numbers for ranges and scale bars, and units that keep numbers short.
+// Round numbers for ranges and scale bars, and units for short numbers.
 #pragma once
 
 #include <string>
@@ -11,11 +11,10 @@ double round_up_nicely(double value);
 // The largest of 1, 2, 5 times a power of ten that is not above `value` (> 0).
 double round_down_125(double value);
 
-// A length with the unit that keeps it short: "5 cm", "2 mm", "10 m".
+// A length in the unit that gives the shortest text: "5 cm", "2 mm", "10 m".
 std::string length_text(double metres);
 
-// A multiple of a unit in which numbers up to `largest` are short: {1e-3, "kPa"} means that values are to be multiplied
-// by 1e-3 and read in kPa.
+// A multiple of a unit in which numbers up to `largest` are short: with {1e-3, "kPa"}, values times 1e-3 are in kPa.
 struct DisplayUnit {
   double factor = 1;
   std::string name;

@@ -13,7 +13,7 @@ namespace weir {
 
 namespace {
 
-// How much of the background's colour lies behind the items, so that they can be read over the fluid, of 255.
+// Opacity of the panels behind items, of 255, which keeps them legible over fluid.
 constexpr int panel_alpha = 190;
 
 bool shows(const Scene& scene, OverlayItem item) {
@@ -37,7 +37,7 @@ Overlay::Overlay(const Scene& scene, std::array<double, 2> range)
   quantity_ = shown.name.empty() ? std::string(facts.label) : fmt::format("{} ({})", facts.label, shown.name);
   const double duration = std::max(scene.duration, 1e-6);
   time_digits_ = std::max(1, static_cast<int>(std::floor(std::log10(duration))) + 1);
-  // Milliseconds, or a thousandth of a shorter run.
+  // A resolution of 1 ms, or of a thousandth of a shorter run.
   time_decimals_ = std::max(3, 3 - static_cast<int>(std::floor(std::log10(duration * 10))));
 
   OverlayTexts texts;
@@ -59,7 +59,7 @@ Overlay::Overlay(const Scene& scene, std::array<double, 2> range)
 
 std::string Overlay::time_text(double time) const {
   std::string digits = fmt::format("{:.{}f}", time, time_decimals_);
-  // Padded with spaces as wide as a digit, so that the text stands still.
+  // Padded with spaces of the width of a digit, so that digits keep their positions.
   const int width = time_digits_ + 1 + time_decimals_;
   std::string padding;
   for (int k = static_cast<int>(digits.size()); k < width; ++k) padding += "\u2007";
@@ -105,7 +105,7 @@ std::vector<IntBox> Overlay::fixed_boxes() const { return with_rims({layout_.tit
 
 std::vector<IntBox> Overlay::changing_boxes() const { return with_rims({layout_.time, layout_.cfl}); }
 
-// Panels reach a quarter of the text's size beyond their items, and glyphs a pixel beyond their advance.
+// Panels extend a quarter of the text size beyond their items, glyphs a pixel beyond their advance.
 std::vector<IntBox> Overlay::with_rims(const std::vector<std::optional<IntBox>>& items) const {
   const int rim = layout_.size / 4 + 1;
   std::vector<IntBox> boxes;
@@ -145,7 +145,7 @@ void Overlay::draw_scale(const Projection& projection, Image& image) {
   const double pixels_per_metre = projection.pixels_per_metre();
   const double length = round_down_125(layout_.largest_scale / pixels_per_metre);
   const int pixels = std::max(1, static_cast<int>(std::lround(length * pixels_per_metre)));
-  // In perspective a length has a size at one depth only.
+  // In perspective the scale holds at one depth.
   const std::string text = length_text(length) + (projection.perspective ? " at the centre" : "");
   const IntBox& row = *layout_.scale;
   const int gap = static_cast<int>(std::lround(0.5 * layout_.size));

@@ -1,5 +1,5 @@
-// Title, time, colour bar, scale bar and CFL indicator, drawn by the processor: the same pixels whichever device draws
-// the particles. On a clear picture they become a layer to be laid over others.
+// Title, time, colour bar, scale bar and CFL indicator, drawn by the processor, with the same pixels for every device.
+// Drawn on a transparent picture they form a layer.
 #pragma once
 
 #include <array>
@@ -23,18 +23,18 @@ class Overlay {
  public:
   Overlay(const Scene& scene, std::array<double, 2> range);
 
-  // What an automatic view leaves free for the overlay lies outside of this.
+  // The part of the picture that an automatic view fills.
   const PixelBox& content() const { return layout_.content; }
   const OverlayLayout& layout() const { return layout_; }
 
-  // What is the same for all frames of one view.
+  // Draws the items that are the same for all frames of one view.
   void draw_fixed(const Projection& projection, Image& image);
-  // What each frame says anew: time and CFL indicator.
+  // Draws time and CFL indicator.
   void draw_changing(const Frame& frame, Image& image);
-  // The texts of the latter: while they stay, so does what it draws.
+  // Texts of draw_changing(), which determine its pixels.
   std::string changing_text(const Frame& frame) const;
 
-  // All pixels that the items may touch.
+  // Boxes around all pixels of the items.
   std::vector<IntBox> fixed_boxes() const;
   std::vector<IntBox> changing_boxes() const;
 
@@ -49,10 +49,10 @@ class Overlay {
   Palette palette_;
   bool transparent_;
   Colormap map_;
-  std::array<double, 2> range_;  // in the unit shown
+  std::array<double, 2> range_;  // in the displayed unit
   std::string quantity_;
-  int time_digits_;    // before the point
-  int time_decimals_;  // behind it
+  int time_digits_;    // before the decimal point
+  int time_decimals_;  // after it
   Font font_;
   Font bold_;
   OverlayLayout layout_;

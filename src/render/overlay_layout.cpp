@@ -7,21 +7,21 @@ namespace weir {
 
 namespace {
 
-constexpr int smallest_text = 9;           // pixels; below, DejaVu Sans cannot be read
+constexpr int smallest_text = 9;           // pixels; DejaVu Sans is illegible below
 constexpr double text_per_height = 0.023;  // 25 pixels at 1080
 constexpr double ascent = 0.76;            // of the em: capitals and ascenders of DejaVu Sans
 constexpr double descent = 0.24;
-constexpr double longest_bar = 25;    // em: a longer colour bar says no more
-constexpr double scale_share = 0.16;  // of the picture's width: the longest scale bar
+constexpr double longest_bar = 25;    // em; a longer colour bar adds no information
+constexpr double scale_share = 0.16;  // longest scale bar over the picture's width
 
 int times(double factor, int size) { return static_cast<int>(std::lround(factor * size)); }
 
-// The title, shortened with an ellipsis to the width; empty if not even a few letters fit.
+// The title, shortened with an ellipsis to the width; empty if fewer than a few letters fit.
 std::string shortened(const std::string& title, int width, int size, const Measure& measure) {
   if (measure(title, size, true) <= width) return title;
   std::string kept = title;
   while (!kept.empty()) {
-    // A whole code point goes at a time: continuation bytes of UTF-8 start with the bits 10.
+    // Removes whole code points: continuation bytes of UTF-8 start with the bits 10.
     while (!kept.empty() && (static_cast<unsigned char>(kept.back()) & 0xc0) == 0x80) kept.pop_back();
     if (!kept.empty()) kept.pop_back();
     while (!kept.empty() && kept.back() == ' ') kept.pop_back();
@@ -34,7 +34,7 @@ class Layouter {
  public:
   Layouter(int width, int height, const OverlayTexts& texts, const Measure& measure)
       : width_(width), height_(height), texts_(texts), measure_(measure) {
-    const double reference = std::min<double>(height, 0.75 * width);  // a tall picture has no more room across
+    const double reference = std::min<double>(height, 0.75 * width);  // tall pictures are limited by their width
     layout_.size = std::max(smallest_text, static_cast<int>(std::lround(text_per_height * reference)));
     layout_.title_size = times(1.2, layout_.size);
     layout_.line = std::max(1, times(0.06, layout_.size));
@@ -50,7 +50,7 @@ class Layouter {
     const int right = colorbar(top, bottom);
     layout_.content = {static_cast<double>(margin_), static_cast<double>(top + margin_),
                        static_cast<double>(width_ - right - margin_), static_cast<double>(height_ - bottom - margin_)};
-    // A picture too small for its own margins is all scene.
+    // A picture smaller than the margins has no overlay.
     if (layout_.content.width() < 1 || layout_.content.height() < 1)
       layout_.content = {0, 0, static_cast<double>(width_), static_cast<double>(height_)};
     return layout_;
@@ -64,7 +64,7 @@ class Layouter {
     const int top = at_top ? margin_ : height_ - margin_ - height;
     return {left, top, left + width, top + height};
   }
-  // A row of text takes two lines with its margin; the scene keeps as much.
+  // A row of text takes two lines including its margin, on either side of the scene.
   bool row_fits() const { return height_ >= 5 * layout_.size; }
   bool two_rows_fit() const { return height_ >= 8 * layout_.size; }
 
@@ -103,7 +103,7 @@ class Layouter {
     }
   }
 
-  // Returns the width of the column that the colour bar takes from the right edge.
+  // Returns the width of the column of the colour bar at the right edge.
   int colorbar(int top, int bottom) {
     if (!texts_.quantity) return 0;
     const int size = layout_.size;
@@ -122,7 +122,7 @@ class Layouter {
     const int column = bar + tick + space + widest + label_height;
     if (column > 0.35 * width_) return 0;
     const int left = width_ - margin_ - column;
-    // Half a line above and below: numbers at the bar's ends reach beyond it.
+    // Half a line above and below, for the numbers at the bar's ends.
     const int overhang = times(0.5, size);
     const int middle = top + margin_ + room / 2;
     const int half = length / 2 - overhang;

@@ -1,5 +1,5 @@
-// Where the overlay's items lie. Sizes follow the picture's height; items that do not fit are left out, the least
-// needed first, so that nothing overlaps at any size.
+// Layout of the overlay's items. Sizes are proportional to the picture's height; items that do not fit are omitted, the
+// least important first, so that items never overlap.
 #pragma once
 
 #include <functional>
@@ -12,14 +12,14 @@
 
 namespace weir {
 
-// The texts that the items need room for; an item that is not asked for has none.
+// Texts of the items, for their sizes; an omitted item has none.
 struct OverlayTexts {
   std::optional<std::string> title;
-  std::optional<std::string> time;                     // the longest that will be shown
-  std::optional<std::string> cfl;                      // the longest that will be shown
-  std::optional<std::string> scale;                    // the longest that will be shown
+  std::optional<std::string> time;                     // the longest
+  std::optional<std::string> cfl;                      // the longest
+  std::optional<std::string> scale;                    // the longest
   std::optional<std::string> quantity;                 // the colour bar's label
-  std::function<std::vector<std::string>(int)> ticks;  // the colour bar's tick labels, at most that many
+  std::function<std::vector<std::string>(int)> ticks;  // the colour bar's tick labels, at most so many
 };
 
 // The width of a text at a size, pixels.
@@ -30,17 +30,17 @@ struct OverlayLayout {
   int title_size = 0;  // of the title
   int line = 0;        // thickness of thin lines, pixels
   int most_ticks = 0;
-  std::string title_text;  // shortened if it has to be
+  std::string title_text;  // shortened to fit
 
-  // Boxes of the items that are shown.
+  // Boxes of the items.
   std::optional<IntBox> title;
   std::optional<IntBox> time;
   std::optional<IntBox> cfl;
   std::optional<IntBox> scale;     // bar and text
-  std::optional<IntBox> colorbar;  // all of it
+  std::optional<IntBox> colorbar;  // including ticks and label
   IntBox bar;                      // the coloured part of the colour bar
-  int largest_scale = 0;           // the longest that the scale bar itself may be, pixels
-  PixelBox content;                // what is left for the scene
+  int largest_scale = 0;           // longest scale bar, pixels
+  PixelBox content;                // the rest, for the scene
 };
 
 OverlayLayout lay_out(int width, int height, const OverlayTexts& texts, const Measure& measure);

@@ -1,4 +1,4 @@
-// Colours that are not the colour map's.
+// Colours of everything but the fluid.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@ struct Rgb {
   std::uint8_t b = 0;
 };
 
-// Hinsch's yellow [Hinsch24 ch. 6], a little deeper than viridis' brightest, so that it shows on white and is not taken
-// for fast fluid.
+// Yellow as in [Hinsch24 ch. 6], deeper than the brightest colour of viridis: visible on white and distinct from fast
+// fluid.
 inline constexpr std::uint32_t wall_color = 0xf2b705;
 
 struct Palette {

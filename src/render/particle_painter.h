@@ -1,9 +1,9 @@
-// Draws particles of one size as discs (2D) or lit balls (perspective), over a background, into a colour or a movie target.
-// The processor projects them and makes pixels: of discs, of dots where discs are smaller than that, of balls. The device
-// lays them over the background and puts out what the target holds.
+// Draws particles of one size as discs (2D) or lit spheres (perspective) over a background, into a colour or a movie
+// target. The processor projects and rasterises them as discs, dots or spheres; the device composites the pixels over
+// the background.
 //
-// Of the ways measured for the software renderer (points, quads, gathering by pixels or by blocks of pixels on the device)
-// this takes the least time; on a graphics card none was measured.
+// On the software renderer this is faster than points, quads, or gathering by pixels or blocks of pixels on the device;
+// on a graphics card nothing was measured.
 #pragma once
 
 #include <array>
@@ -45,8 +45,8 @@ class ParticlePainter {
   ParticlePainter(int width, int height, int threads = 0);  // as for thread_count()
 
   // Takes in what draw() shows from now on. `stale` says for each square whether the target that is drawn to next shows
-  // something else than the background there; empty for a target that shows anything. `arranged` is told when all of a row of
-  // squares is there.
+  // something else than the background there; empty for a target that shows anything. `arranged` is told when all of a
+  // row of squares is there.
   void arrange(
       std::span<const glm::vec4> particles, const Projection& projection, const ParticleStyle& style,
       std::vector<std::uint8_t>& stale, const ParticlePixels::RowTaken& arranged = [](int) {});

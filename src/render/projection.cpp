@@ -9,12 +9,12 @@ namespace weir {
 
 namespace {
 
-// Bounds may be flat (a film, a single particle): never divide by less than this, m.
+// Least extent, m: bounds may be flat (a film, a single particle).
 constexpr double least_extent = 1e-12;
 
 void look(Projection& projection, const Vec3& from_direction) {
   projection.forward = -glm::normalize(from_direction);
-  // z is up, unless one looks along it.
+  // z is up, unless the line of sight is along it.
   const Vec3 sky = std::abs(projection.forward.z) < 0.999 ? Vec3(0, 0, 1) : Vec3(0, 1, 0);
   projection.right = glm::normalize(glm::cross(projection.forward, sky));
   projection.up = glm::cross(projection.right, projection.forward);
@@ -66,12 +66,12 @@ Projection fit_3d(const Bounds& bounds, const PixelBox& content) {
   Projection projection;
   projection.perspective = true;
   look(projection, Vec3(-0.45, -1.0, 0.5));
-  // A lens as long as one would use for a product picture: 24 degrees across the content's larger side.
+  // A moderate telephoto lens: 24 degrees across the content's larger side.
   projection.focal = 0.5 * std::max(content.width(), content.height()) / std::tan(glm::radians(12.0));
   projection.principal = {0.5 * (content.left + content.right), 0.5 * (content.top + content.bottom)};
 
-  // The nearest distance from which all corners stay inside, then the target moved until they are centred; the two
-  // depend on each other only weakly, so a few rounds settle.
+  // Alternates the least distance that keeps all corners inside and the target that centres them; the two depend weakly
+  // on each other, so a few rounds converge.
   Vec3 target = 0.5 * (bounds.min + bounds.max);
   for (int round = 0; round < 8; ++round) {
     double distance = least_extent;
@@ -83,7 +83,7 @@ Projection fit_3d(const Bounds& bounds, const PixelBox& content) {
     }
     projection.eye = target - distance * projection.forward;
     projection.focus_depth = distance;
-    if (round == 7) break;  // the last distance has been found for this target
+    if (round == 7) break;  // the distance belongs to this target
     glm::dvec2 low(1e300);
     glm::dvec2 high(-1e300);
     for (const Vec3& corner : corners(bounds)) {

@@ -1,4 +1,4 @@
-// How metres become pixels.
+// Projection of points, m, to pixels.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,8 +9,7 @@
 
 namespace weir {
 
-// Pixel coordinates run from the picture's top left corner to the right and down; pixel (i, j) covers [i, i+1] x [j,
-// j+1].
+// Pixel coordinates start at the picture's top left corner; pixel (i, j) covers [i, i+1] x [j, j+1].
 struct PixelBox {
   double left = 0;
   double top = 0;
@@ -26,9 +25,9 @@ struct Projection {
   Vec3 up{0, 1, 0};
   Vec3 forward{0, 0, -1};
   bool perspective = false;
-  double focal = 1;         // pixels per metre; in perspective at one metre of depth
-  glm::dvec2 principal{0};  // the pixel in which the line of sight ends
-  double focus_depth = 1;   // m, where the scale bar is true; unused in 2D
+  double focal = 1;         // pixels per metre; in perspective at a depth of one metre
+  glm::dvec2 principal{0};  // principal point, pixels
+  double focus_depth = 1;   // m, depth at which the scale bar holds; unused in 2D
   bool operator==(const Projection&) const = default;
 
   double depth(const Vec3& point) const { return glm::dot(forward, point - eye); }
@@ -38,12 +37,12 @@ struct Projection {
   double pixels_per_metre() const { return perspective ? focal / focus_depth : focal; }
 };
 
-// A view that a scene states: its centre is the picture's centre. Never AutoView.
+// The projection of a view of the scene, centred in the picture; not for AutoView.
 Projection projection_of(const View& view, int width, int height);
 
-// All of `bounds`, as large as fits into `content`, and centred there.
+// Fits `bounds` into `content`, centred.
 Projection fit_2d(const Bounds& bounds, const PixelBox& content);
-// Seen from the front, a little from the left and above.
+// The same in 3D, from the front, slightly left and above.
 Projection fit_3d(const Bounds& bounds, const PixelBox& content);
 
 }  // namespace weir

@@ -10,7 +10,7 @@ namespace weir {
 
 namespace {
 
-// A module that cannot be loaded (a library of the system is missing) means that nothing can be drawn.
+// A module that cannot be loaded, for lack of a system library, is a DeviceError.
 template <class Function>
 Function* render_function(const char* symbol) {
   try {
@@ -24,7 +24,7 @@ Function* render_function(const char* symbol) {
 
 DeviceChoice device_choice(const std::string& requested) {
   if (!requested.empty()) return {.device = requested};
-  // Read at start-up, before any thread could change the environment.
+  // Read at start-up, before any other thread exists.
   if (const char* from_environment = std::getenv("WEIR_GL_DEVICE"))  // NOLINT(concurrency-mt-unsafe)
     if (*from_environment != '\0') return {.device = from_environment};
   return {};

@@ -1,4 +1,4 @@
-// Draws frames. The implementation lives in the module weir_render; nothing here needs OpenGL.
+// Interface of the renderer. The implementation is in the module weir_render; this header does not need OpenGL.
 #pragma once
 
 #include <memory>
@@ -25,14 +25,14 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  // All of these draw at the scene's size, resize pictures that do not fit, throw DeviceError, and must be called on the
-  // thread that made this.
+  // These functions draw at the scene's size, resize pictures of other sizes, throw DeviceError, and must be called on
+  // the thread of construction.
 
   virtual void draw(const Frame& frame, Image& image) = 0;
 
-  // The same picture for a movie, in two halves so that the device draws one while the last is read: start() begins it,
-  // finish() waits for the one begun first. At most so many may be under way, two or, where that gains nothing, one; then nothing
-  // else may be drawn between the halves.
+  // The same picture for a movie, in two steps, so that the device draws one frame while the last is read: start()
+  // starts a frame, finish() waits for the first frame started. At most most_under_way() frames may be started: two, or
+  // one where two gain nothing; nothing else may be drawn in between.
   virtual std::size_t most_under_way() const = 0;
   virtual void start(const Frame& frame) = 0;
   virtual void finish(MovieImage& image) = 0;
@@ -40,26 +40,26 @@ class Renderer {
   virtual const std::string& gl_renderer() const = 0;
 };
 
-// Who puts a movie's pictures together of background, particles and texts.
+// Where background, particles and texts of a movie frame are composed.
 enum class MovieBy {
-  fitting,    // the processor if the device is nothing else, or the device
-  device,     // as other pictures
-  processor,  // the pixels are the same but for rounding
+  fitting,    // on the processor for a software device, else on the device
+  device,     // as for other pictures
+  processor,  // the same pixels up to rounding
 };
 
-// Which device draws: "auto", "software", or its number in the list of `list_devices`.
+// The device: "auto", "software", or a number in the list of list_devices().
 struct DeviceChoice {
   std::string device = "auto";
   MovieBy movie_by = MovieBy::fitting;
 };
 DeviceChoice device_choice(const std::string& requested);  // `requested`, else WEIR_GL_DEVICE, else auto
 
-// Loads the module. `threads` of the processor make pixels, as for thread_count(). Throws DeviceError with every display and
+// Loads the module. `threads`, as for thread_count(), rasterise particles. Throws DeviceError naming every display and
 // device tried.
 std::unique_ptr<Renderer> make_renderer(const Scene& scene, const StaticScene& static_scene, const DeviceChoice& choice,
                                         int threads = 0);
-// Devices that are the processor use the calling thread alone from now on: who has other work for the rest knows then what
-// drawing takes. To be called before there are threads that read the environment; what that says already stays.
+// Restricts software devices to the calling thread, so that the processors that drawing takes are known. Must be called
+// before any thread reads the environment; an existing LP_NUM_THREADS is kept.
 void draw_on_calling_thread();
 std::vector<DeviceTrial> list_devices();
 

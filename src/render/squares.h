@@ -1,4 +1,4 @@
-// Which squares of a picture the processor has made pixels for, and where those stand among all that the device is given.
+// Screen tiles that the rasterisers have filled, and the offsets of their pixels in the buffer for the device.
 #pragma once
 
 #include <cstddef>
@@ -12,15 +12,16 @@ namespace weir {
 inline constexpr int block_width = 4;  // pixels
 inline constexpr int block_height = 2;
 
-// Pixels are made, and the device is told where there is anything to draw, square by square: so many blocks wide and high.
+// Pixels are made, and the device is told where there is anything to draw, square by square: so many blocks wide and
+// high.
 inline constexpr int square_blocks = 8;
 inline constexpr int square_width = block_width * square_blocks;  // pixels
 inline constexpr int square_height = block_height * square_blocks;
 
 class Squares {
  public:
-  // The first texel of a square without pixels: before all others stand those of one that is empty, so that nobody has to
-  // ask.
+  // The first texel of a square without pixels: before all others stand those of one that is empty, so that nobody has
+  // to ask.
   static constexpr std::uint32_t empty = 0;
 
   Squares(int width, int height);  // pixels
@@ -31,8 +32,8 @@ class Squares {
   // Row by row, 1 for each that there are pixels for; to be written between begin(), which sets all to 0, and close().
   std::vector<std::uint8_t>& filled() { return filled_; }
   void begin();
-  // The number of texels of all filled squares and the empty one. Those filled or `stale` are to be drawn; then `stale` says which are filled.
-  // An empty `stale` means all.
+  // The number of texels of all filled squares and the empty one. Those filled or `stale` are to be drawn; then `stale`
+  // says which are filled. An empty `stale` means all.
   std::size_t close(std::vector<std::uint8_t>& stale);
 
   // After close(). For each square its first texel.

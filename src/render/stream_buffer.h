@@ -1,6 +1,6 @@
-// Texels that the processor writes anew for each picture, straight into memory that the device reads. Two buffers, so that
-// one can be filled while the device still reads the other; the same again if it does not. They only grow, for fresh memory
-// costs a page fault every few kilobytes.
+// Buffers that the processor writes for each picture, mapped into memory of the device. Two, so that one can be written
+// while the device reads the other; the same one is reused if it is idle. They never shrink: fresh memory costs page
+// faults.
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@ class StreamBuffer {
   StreamBuffer(const StreamBuffer&) = delete;
   StreamBuffer& operator=(const StreamBuffer&) = delete;
 
-  // Memory for so many bytes, to be written before the next drawing and not read; what was there is lost. Waits until the
-  // device has drawn what it had been given before the last call, if it still draws that. Throws DeviceError.
+  // Memory for so many bytes, to be written before the next drawing and not read; what was there is lost. Waits until
+  // the device has drawn what it had been given before the last call, if it still draws that. Throws DeviceError.
   void* begin(std::size_t bytes);
   // To be called after whatever draws from it.
   void drawn();

@@ -1,4 +1,4 @@
-// What the processor hands to the device: pixels that it has made.
+// Rasterised pixels, in the format of the buffer for the device.
 #pragma once
 
 #include <array>

@@ -1,8 +1,7 @@
-// Loops of a shader written out before it is compiled.
+// Unrolls loops in the source of a shader.
 //
-// Software rendering keeps an array that a loop indexes in memory, element by element, unless the compiler unrolls the
-// loop, and Mesa's gives up on long bodies; with every index a number the array lives in registers. Drawing takes a
-// quarter of the time so.
+// The software renderer keeps arrays that a loop indexes in memory unless its compiler unrolls the loop, which Mesa's
+// does not do for long bodies; with constant indices they stay in registers. Drawing then takes a quarter of the time.
 #pragma once
 
 #include <map>

@@ -1,5 +1,5 @@
-// Balls from the front to the back, of which most in a body of fluid are never looked at: it shows little more than its skin.
-// Where all that a group may touch hides what is behind, none of its balls is even projected.
+// Spheres in order of depth, with occlusion culling: a body of fluid shows little more than its outermost layer. Groups
+// whose pixels are all covered by nearer spheres are not projected.
 #pragma once
 
 #include <cstdint>

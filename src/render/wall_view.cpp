@@ -6,7 +6,7 @@ namespace weir {
 
 namespace {
 
-// `thickness`: how far beyond the faces particles may lie.
+// `thickness`: of the layers beyond the faces.
 
 bool hides_inside(const Tank& tank, double thickness, const Vec3& particle, const Vec3& eye) {
   bool beyond_any = false;

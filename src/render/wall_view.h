@@ -1,4 +1,4 @@
-// Which walls a picture in 3D leaves out, so that one sees into what they hold.
+// Culling of wall particles in 3D, so that the inside of containers is visible.
 #pragma once
 
 #include "core/types.h"
@@ -6,8 +6,8 @@
 
 namespace weir {
 
-// Whether a wall's particle stands between the eye and what a container of the scene holds: it belongs to sides that all
-// turn their outside to the eye. Floors seen from above, far sides and obstacles do not.
+// True if a wall particle lies between the eye and the inside of a container: every side that it belongs to faces the
+// eye with its outside. Floors seen from above, far sides and obstacles are kept.
 bool hides_inside(const Scene& scene, const Vec3& particle, const Vec3& eye);
 
 }  // namespace weir

@@ -4,14 +4,14 @@
 
 #include <algorithm>
 
+#include "core/write_text.h"
 #include "report/scenes.h"
-#include "report/write_text.h"
 
 namespace weir {
 
 namespace {
 
-// s; by then the oscillations that the figures are about have died down.
+// s; the oscillations that the figures show have decayed by then.
 constexpr double shown = 2;
 
 }  // namespace

@@ -1,4 +1,5 @@
-// The figures of Hinsch 2024, one function each. Those that simulate take their scene, so that tests can give them less.
+// The figures of Hinsch 2024, one function each. Simulated figures take their scene as an argument, so that tests can
+// use smaller ones.
 #pragma once
 
 #include <array>
@@ -16,9 +17,9 @@ namespace weir {
 LinePlot kernel_figure();
 LinePlot kernel_derivative_figure();
 
-// Figures 7.2 and 7.3: the mean over the fluid of rho/rho0 - 1 against time. One fixed time step that suits the highest
-// stiffness for all three in 7.2; the tower's own stiffness for all three time steps in 7.3. `tower` is taken as it is
-// but for these two; the curves have `samples_per_second` points.
+// Figures 7.2 and 7.3: the mean over the fluid of rho/rho0 - 1 over time. 7.2: three stiffnesses, with a fixed time
+// step that suits the highest. 7.3: three time steps, with the stiffness of `tower`. Curves have `samples_per_second`
+// points.
 inline constexpr int samples_per_second = 200;
 LinePlot stiffness_figure(const Scene& tower, const ReportOptions& options);
 LinePlot time_step_figure(const Scene& tower, const ReportOptions& options);
@@ -27,11 +28,11 @@ LinePlot time_step_figure(const Scene& tower, const ReportOptions& options);
 // 0.4 h / c0 at this stiffness (Pa).
 double tower_time_step(const Scene& tower, double stiffness);
 
-// Figure 7.4: what finding the neighbours of so many particles costs, with either search, alone and in a step that searches,
-// as the paper's do; weir's own steps mostly keep their lists. Times are of this machine.
+// Figure 7.4: time of the neighbour search over the number of particles, for both searches, alone and within a step
+// that searches, as each step of the paper does; most steps of weir reuse their lists. Times are of this machine.
 LinePlot search_figure(const Scene& tower, const std::vector<std::int64_t>& particles, const ReportOptions& options);
 
-// Figure 8.1: nine pictures over the whole duration, and what the log knows of these instants.
+// Figure 8.1: nine pictures over the whole duration, and log quantities at these times.
 struct Stills {
   PictureGrid grid;
   std::string csv;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array<double, 3> smoothing_lengths{0.5, 0.75, 1.0};  // m
 constexpr int points = 401;
-constexpr double reach = 2;  // m, the support radius of the largest
+constexpr double reach = 2;  // m, support radius at the largest smoothing length
 
 template <class Value>
 LinePlot over_distance(LinePlot plot, Value value) {

@@ -1,4 +1,4 @@
-// Of measurements: the one in the middle.
+// Median of repeated measurements.
 #pragma once
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 
 namespace weir {
 
-// The upper of two in the middle. `values` must not be empty.
+// The upper of two middle values. `values` must not be empty.
 inline double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());

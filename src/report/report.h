@@ -20,9 +20,9 @@ struct ReportOptions {
 // figure_4_1.csv, .svg, .pdf and .png and so on in the folder. Throws OutputError, DeviceError, SimulationError.
 void report_hinsch2024(const ReportOptions& options);
 
-// How fast this machine solves, by dimension, particle number and threads; in developed flow; what absent terms save; seed
-// A's scenes against real time: speed.csv, .svg, .pdf and .png, developed_flow.csv, real_time.csv, savings.csv. Some
-// minutes; nothing else should run beside it.
+// Speed of the solver on this machine: by dimension, particle number and threads (speed.csv, .svg, .pdf, .png), in
+// developed flow (developed_flow.csv), scenes of Hinsch 2024 against real time (real_time.csv), savings of absent terms
+// (savings.csv). Takes some minutes; other load falsifies it.
 void report_speed(const ReportOptions& options);
 
 }  // namespace weir

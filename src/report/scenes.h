@@ -1,4 +1,4 @@
-// Shipped scenes, as this program was built with them.
+// Shipped scenes, embedded in the program at build time.
 #pragma once
 
 #include "scene/scene.h"

@@ -9,9 +9,9 @@
 #include "core/stopwatch.h"
 #include "core/thread_pool.h"
 #include "core/trace.h"
+#include "core/write_text.h"
 #include "report/median.h"
 #include "report/scenes.h"
-#include "report/write_text.h"
 
 namespace weir {
 
@@ -25,15 +25,15 @@ std::vector<int> thread_counts(int requested) {
   return counts;
 }
 
-// Enough time for the front to run 2 heights: T = 2 sqrt(g / H) t [Martin and Moyce 1952, n^2 = 1].
+// Time after which the front has run 2 heights: T = 2 sqrt(g / H) t [Martin and Moyce 1952, n^2 = 1].
 constexpr double developed = 0.6;  // s
 
-// Of a measurement: as many as a list of neighbours lives, or the share that belongs to it would be luck.
+// Least steps of a measurement: the lifetime of neighbour lists, so that it includes their share.
 constexpr int least_steps = 10;
 
-// Of what is compared, in turn; medians are given.
+// Repetitions of alternating measurements, of which medians are taken.
 constexpr int repeats = 5;
-// The same for sizes, of which the largest take long to set up.
+// Repetitions of the sizes, the largest of which take long to set up.
 constexpr int rounds_of_sizes = 3;
 
 }  // namespace
@@ -44,7 +44,7 @@ Scene speed_scene(int dimension, std::int64_t particles) {
   scene.dimension = dimension;
   scene.duration = 10;
   const double n = static_cast<double>(particles);
-  // Whole spacings in every length, or walls would squeeze the fluid.
+  // Every length is a whole number of spacings; otherwise walls would compress the fluid.
   if (dimension == 2) {
     scene.gravity = Vec3(0, -9.81, 0);
     scene.particle_spacing = 1 / std::round(std::sqrt(n));
@@ -73,7 +73,7 @@ std::unique_ptr<Simulation> flow_at(const Scene& scene, int threads, double time
 }
 
 SpeedSample measure_start(const Scene& scene, int threads, double seconds) {
-  // So many that runs of all sizes are still near their start, and that lists are made.
+  // Enough to include rebuilds of lists, few enough to stay near the start for every size.
   constexpr int steps = 100;
   SpeedSample sample;
   double taken = 0;
@@ -132,7 +132,7 @@ LinePlot speed_figure(const SpeedOptions& speed, const ReportOptions& options) {
       for (const std::int64_t n : speed.particles) cases.push_back({dimension, n, threads, plot.series.size()});
       plot.series.push_back({fmt::format("WCSPH {}D, {}", dimension, threads), {}, {}});
     }
-  // In turn: what else the machine does meets all of them.
+  // Alternating, so that other load on the machine affects all cases alike.
   for (int round = 0; round < rounds_of_sizes; ++round) {
     for (Case& each : cases) {
       const SpeedSample sample = measure_start(speed_scene(each.dimension, each.wanted), each.threads, speed.seconds);
@@ -149,7 +149,7 @@ LinePlot speed_figure(const SpeedOptions& speed, const ReportOptions& options) {
   return plot;
 }
 
-// The part of its steps that one thread does alone while the others wait, 1.
+// Fraction of the wall time of steps that is outside parallel loops, on one thread.
 double serial_share(Simulation& simulation, double seconds) {
   const Recording recording;
   const Stopwatch watch;
@@ -185,8 +185,8 @@ std::string developed_flow_csv(const SpeedOptions& speed, const ReportOptions& o
   return csv;
 }
 
-// The particles of a tank that is open at the top alone, as fluid: what they would cost without rules of their own.
-void take_tank_for_fluid(Scene& scene) {
+// Replaces the wall particles of a tank that is open at the top by fluid particles, to compare their costs.
+void replace_tank_by_fluid(Scene& scene) {
   const Wall wall = scene.walls.at(0);
   const Tank& tank = std::get<Tank>(wall.shape);
   const double thick = wall_layers(scene, wall) * scene.particle_spacing;
@@ -230,7 +230,7 @@ std::string savings_csv(const SpeedOptions& speed, const ReportOptions& options)
       each.with.fluid.surface_tension = {SurfaceTensionModel::hinsch2024, 0};
     });
     compare("walls out of reach", [&](Case& each) {
-      // Fluid alone, and beside it a tank that it never meets.
+      // Fluid without walls, against fluid with a tank out of its reach.
       each.without.walls.clear();
       for (Wall& wall : each.with.walls) {
         Tank& tank = std::get<Tank>(wall.shape);
@@ -238,7 +238,7 @@ std::string savings_csv(const SpeedOptions& speed, const ReportOptions& options)
         tank.max.x += 10;
       }
     });
-    compare("walls as fluid", [](Case& each) { take_tank_for_fluid(each.with); });
+    compare("walls as fluid", [](Case& each) { replace_tank_by_fluid(each.with); });
     compare(
         "log row in every step", [](Case&) {}, true);
   }

@@ -1,4 +1,4 @@
-// Studies of run time: how fast steps go, and what a term costs that a scene does not have.
+// Studies of run time: speed of steps, and savings of absent terms.
 #pragma once
 
 #include <cstdint>
@@ -26,13 +26,13 @@ struct SpeedSample {
   double neighbours = 0;  // share of that time spent on sorting and lists
 };
 
-// A run that has reached `time`, s, and has done its first steps, in which memory is touched for the first time.
+// A run that has reached `time`, s, past its first steps, in which memory is touched for the first time.
 std::unique_ptr<Simulation> flow_at(const Scene& scene, int threads, double time);
 
-// The first steps of runs, as many runs as make up for `seconds` of wall time.
+// Speed of the first steps, over as many runs as take `seconds` of wall time.
 SpeedSample measure_start(const Scene& scene, int threads, double seconds);
 
-// Goes on for about `seconds` of wall time, working out a log row after every step if asked to.
+// Speed of the next steps, for about `seconds` of wall time; with `log` a log row is computed after every step.
 SpeedSample measure_speed(Simulation& simulation, double seconds, bool log = false);
 
 struct SpeedOptions {
@@ -44,8 +44,8 @@ struct SpeedOptions {
 
 LinePlot speed_figure(const SpeedOptions& speed, const ReportOptions& options);
 std::string developed_flow_csv(const SpeedOptions& speed, const ReportOptions& options);
-// Each pair of cases in turn, five times; the median ratio. The left case has what the right one lacks, switched to
-// nothing: both compute the same.
+// Pairs of cases, alternating, five times; the median ratio. `with` has a term that `without` lacks, with coefficient
+// zero: both compute the same.
 std::string savings_csv(const SpeedOptions& speed, const ReportOptions& options);
 // Simulated time over wall time of Hinsch's two scenes for k = 1e4, 1e5 and 1e6 Pa.
 std::string real_time_csv(const SpeedOptions& speed, const ReportOptions& options);

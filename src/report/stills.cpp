@@ -27,7 +27,7 @@ std::string title(const Scene& scene, const StaticScene& static_scene, std::int6
 Stills stills_figure(const Scene& dam_break, const ReportOptions& options) {
   Scene scene = dam_break;
   scene.render.size = {width, 2 * (width * dam_break.render.size[1] / dam_break.render.size[0] / 2)};
-  scene.render.overlay.clear();  // the captions and the title say it once
+  scene.render.overlay.clear();  // captions and title replace it
   const std::int64_t last = last_frame(scene);
   std::set<std::int64_t> wanted;
   for (std::int64_t k = 0; k < count; ++k) wanted.insert((2 * k * last + count - 1) / (2 * (count - 1)));

@@ -18,7 +18,7 @@ struct Case {
 Series density_error(Scene tower, const Case& values, std::string label, const ReportOptions& options) {
   tower.solver.compressibility = Stiffness{values.stiffness};
   tower.solver.time_step = FixedStep{values.dt};
-  // Steps land on frame times, so the samples stand at the same times whatever the step, without interpolation.
+  // Steps land on frame times: samples are at the same times for every step length, without interpolation.
   tower.render.fps = samples_per_second;
   Series series{std::move(label), {}, {}};
   const std::unique_ptr<Simulation> simulation = make_simulation(tower, options.threads);

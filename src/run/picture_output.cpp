@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "run/pictures.h"
+#include "scene/origin.h"
 
 namespace weir {
 
@@ -20,8 +21,9 @@ class PictureOutput final : public Observer {
  public:
   explicit PictureOutput(const RunContext& run)
       : run_(run),
+        scene_(relative_to(run.scene, scene_origin(run.scene))),
         static_scene_(static_scene_of(run)),
-        pictures_(run.scene, static_scene_, run.simulation.fluid_particles(), run.options.device) {
+        pictures_(scene_, static_scene_, run.simulation.fluid_particles(), run.options.device) {
     run.simulation.give_way_to(pictures_.at_work());
   }
 
@@ -70,6 +72,7 @@ class PictureOutput final : public Observer {
 
  private:
   const RunContext& run_;
+  const Scene scene_;  // its positions count from the scene's origin, as the simulation's do
   StaticScene static_scene_;
   Pictures pictures_;
 };

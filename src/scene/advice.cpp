@@ -6,7 +6,8 @@ namespace weir {
 
 namespace {
 
-// Mirrored walls put energy in, viscosity takes it out. In a tower at rest 0.001 h c0 did not suffice and 0.01 h c0 did.
+// Mirrored walls feed energy into the flow, viscosity dissipates it. In a tower at rest 0.001 h c0 did not suffice and
+// 0.01 h c0 did.
 constexpr double resting_viscosity_per_h_c0 = 0.01;
 
 }  // namespace
@@ -17,10 +18,10 @@ std::vector<std::string> advice(const Scene& scene) {
   const double nu = viscosity.model == ViscosityModel::none ? 0 : viscosity.kinematic;
   const double resting = resting_viscosity_per_h_c0 * smoothing_length(scene) * sound_speed(scene);
   if (!scene.walls.empty() && nu < resting) {
-    texts.push_back(fmt::format(
-        "fluid.viscosity.kinematic is {:.3g} m^2/s: below about 0.01 h c0 = {:.3g} m^2/s, walls may heat the "
-        "fluid up until it boils",
-        nu, resting));
+    texts.push_back(
+        fmt::format("fluid.viscosity.kinematic is {:.3g} m^2/s: below about 0.01 h c0 = {:.3g} m^2/s, mirrored "
+                    "walls may feed energy into the flow until it becomes unstable",
+                    nu, resting));
   }
   return texts;
 }

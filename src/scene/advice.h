@@ -1,4 +1,4 @@
-// What is right but unwise in a scene, in words for its user.
+// Advice on valid but unwise settings of a scene.
 #pragma once
 
 #include <string>

@@ -12,7 +12,9 @@ std::vector<Violation> check(const Scene& scene, const Unread& unread) {
   Checker checker(scene, unread);
   check_ranges(checker);
   check_geometry(checker);
-  check_meeting(checker);
+  check_periodic(checker);
+  check_solver(checker);
+  check_overlap(checker);
   check_timeline(checker);
   check_pictures(checker);
   return checker.take();

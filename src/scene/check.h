@@ -1,4 +1,4 @@
-// Rules between fields, and what a scene will cost. Knows nothing of YAML.
+// Rules between fields, and the cost of a scene. Independent of YAML.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ std::vector<Violation> check(const Scene& scene);
 using Unread = std::function<bool(const std::string& path)>;
 std::vector<Violation> check(const Scene& scene, const Unread& unread);
 
-// What `weir check` prints about a scene that is right.
+// Printed by `weir check` for a valid scene.
 struct Estimate {
   std::int64_t fluid_particles = 0;
   std::int64_t wall_particles = 0;

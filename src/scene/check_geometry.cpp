@@ -1,4 +1,4 @@
-// Volumes and walls, each by itself, and how many particles they make.
+// Volumes and walls, each by itself, and their number of particles.
 #include <algorithm>
 #include <cmath>
 
@@ -6,14 +6,16 @@
 #include "scene/geometry.h"
 #include "scene/memory.h"
 #include "scene/paths.h"
-#include "scene/sampling.h"
+#include "scene/span.h"
 
 namespace weir {
 
 namespace {
 
-// Beyond that, a position in double precision is no longer exact to a millionth of the spacing.
-constexpr double max_spacings = 1e9;
+// Coordinates up to this many spacings are exact in double precision to a millionth of the spacing.
+constexpr double max_spacings = 1e-6 * 4503599627370496.0;  // 1e-6 2^52
+// Fluid and walls may span 2^20 of the solver's tiles, of 16 spacings each.
+constexpr double max_span = 1048576.0 * 16;
 // Keeps the comparison of all pairs of edges, and of every wall particle with every edge, short.
 constexpr std::size_t max_points = 10000;
 // Keeps the comparison of all pairs of volumes short.
@@ -22,6 +24,16 @@ constexpr std::size_t max_shapes = 10000;
 constexpr double max_particles = 2147483647.0;
 
 constexpr std::string_view axes = "xyz";
+
+void check_reach(Checker& checker, const Vec3& point, double radius, const std::string& path) {
+  if (!checker.usable(path, "particles.spacing")) return;
+  const double dx = checker.scene.particle_spacing;
+  const double reach = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)}) + radius;
+  if (reach <= max_spacings * dx) return;
+  checker.add(path, fmt::format("reaches {:.6g} m from the origin; at a spacing of {} m, positions are exact to a "
+                                "millionth of it only up to {:.3g} m",
+                                reach, number_text(dx), max_spacings * dx));
+}
 
 class ShapeRules {
  public:
@@ -46,13 +58,13 @@ class ShapeRules {
     if (!flat_only() || !few(line.points)) return;
     const std::size_t n = line.points.size();
     for (std::size_t i = 1; i < n; ++i) {
-      if (same_place(line.points[i], line.points[i - 1])) {
+      if (coincide(line.points[i], line.points[i - 1])) {
         return checker_.add(fmt::format("{}.points.{}", path_, i), "repeats the point before it");
       }
     }
     if (line.closed && n < 3) return checker_.add(path_ + ".points", "needs at least 3 points to close");
-    // The first point once more is another way to write a closed line; one next to it makes a piece of no direction.
-    if (line.closed && line.points[n - 1] != line.points[0] && same_place(line.points[n - 1], line.points[0])) {
+    // A repeated first point also closes the line; a point close to it makes a segment without direction.
+    if (line.closed && line.points[n - 1] != line.points[0] && coincide(line.points[n - 1], line.points[0])) {
       return checker_.add(fmt::format("{}.points.{}", path_, n - 1), "repeats the first point");
     }
     if (line.closed) simple(line.points);
@@ -95,19 +107,12 @@ class ShapeRules {
                                                       number_text(max[axis])));
     }
   }
-  // Nearer than any particle can tell; a piece between such points has no direction that could be computed.
-  bool same_place(const Vec3& a, const Vec3& b) const {
+  // Too near for particles to resolve; a segment between such points has no computable direction.
+  bool coincide(const Vec3& a, const Vec3& b) const {
     const double spacing = checker_.usable("particles.spacing") ? checker_.scene.particle_spacing : 0;
     return glm::length(a - b) <= 1e-6 * spacing;
   }
-  void within_reach(const Vec3& point, double radius) {
-    if (!checker_.usable(path_, "particles.spacing")) return;
-    const double reach = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)}) + radius;
-    if (!(reach <= max_spacings * checker_.scene.particle_spacing)) {
-      checker_.add(path_, fmt::format("reaches {:.3g} m from the origin, more than {:.0e} particle spacings", reach,
-                                      max_spacings));
-    }
-  }
+  void within_reach(const Vec3& point, double radius) { check_reach(checker_, point, radius, path_); }
   void simple(const std::vector<Vec3>& points) {
     const std::size_t n = points.size();
     for (std::size_t i = 0; i < n; ++i) {
@@ -171,6 +176,21 @@ void check_number(Checker& checker) {
   }
 }
 
+void check_span(Checker& checker) {
+  const Scene& scene = checker.scene;
+  if (!checker.usable("fluid.volumes", "walls", "domain", "particles.spacing")) return;
+  const Bounds span = scene.domain ? around(scene_span(scene), *scene.domain) : scene_span(scene);
+  for (int axis = 0; axis < scene.dimension; ++axis) {
+    const double length = span.max[axis] - span.min[axis];
+    if (!(length > max_span * scene.particle_spacing)) continue;
+    return checker.add("particles.spacing",
+                       fmt::format("of {} m: fluid and walls span {:.6g} m along {}, more than {:.0f} spacings; choose "
+                                   "at least {:.2g} m",
+                                   number_text(scene.particle_spacing), length, axes[static_cast<std::size_t>(axis)],
+                                   max_span, 1.1 * length / max_span));
+  }
+}
+
 template <class T>
 bool few_enough(Checker& checker, const std::vector<T>& shapes, const std::string& path) {
   if (shapes.size() <= max_shapes) return true;
@@ -190,7 +210,12 @@ void check_geometry(Checker& checker) {
   for (std::size_t i = 0; i < scene.walls.size(); ++i) {
     if (checker.usable(wall_path(i))) check_wall(checker, scene.walls[i], wall_path(scene, i));
   }
+  if (scene.domain) {
+    check_reach(checker, scene.domain->min, 0, "domain");
+    check_reach(checker, scene.domain->max, 0, "domain");
+  }
   if (checker.usable("particles.spacing", "solver.kernel")) check_number(checker);
+  check_span(checker);
 }
 
 }  // namespace weir

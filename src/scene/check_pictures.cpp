@@ -6,7 +6,7 @@ namespace weir {
 
 namespace {
 
-// More frames or rows than any disk holds; and the largest that counting may meet.
+// More frames or rows than any disk holds; also the largest count that is computed.
 constexpr double max_count = 1e9;
 
 void check_view(Checker& checker, const View& view, const std::string& path) {

@@ -17,7 +17,7 @@ class RangeVisitor {
 
   template <class T>
   void field(std::string_view key, T&& value, const Spec& spec) {
-    judge(joined(path_, key), value, spec);
+    check_value(joined(path_, key), value, spec);
   }
   template <class Describer>
   void group(std::string_view key, std::string_view, Describer describer) {
@@ -41,7 +41,7 @@ class RangeVisitor {
   template <class Variant, class... T>
   void one_field_of(Variant& value, const Leaf<T>&... leaves) {
     const auto visit = [&](const auto* kind, const auto& leaf) {
-      if (kind != nullptr) judge(joined(path_, leaf.key), kind->*leaf.member, leaf.spec);
+      if (kind != nullptr) check_value(joined(path_, leaf.key), kind->*leaf.member, leaf.spec);
     };
     (visit(std::get_if<T>(&value), leaves), ...);
   }
@@ -55,6 +55,10 @@ class RangeVisitor {
   }
   template <class T>
   void toggle(std::string_view key, std::optional<T>& value, std::string_view) {
+    if (value) visit_form(joined(path_, key), *value);
+  }
+  template <class T>
+  void option(std::string_view key, std::optional<T>& value, std::string_view) {
     if (value) visit_form(joined(path_, key), *value);
   }
   void version(std::string_view, int) {}
@@ -80,47 +84,49 @@ class RangeVisitor {
   void report(const std::string& path, std::string message) {
     if (checker_.usable(path)) checker_.add(path, std::move(message));
   }
-  void judge(const std::string& path, double value, const Spec& spec) {
+  void check_value(const std::string& path, double value, const Spec& spec) {
     const std::string wrong = range_mistake(value, spec);
     if (!wrong.empty()) report(path, wrong);
   }
-  void judge(const std::string& path, int value, const Spec& spec) {
-    judge(path, static_cast<double>(value), spec);
+  void check_value(const std::string& path, int value, const Spec& spec) {
+    check_value(path, static_cast<double>(value), spec);
     if (value % spec.multiple != 0) report(path, fmt::format("must be a multiple of {}, got {}", spec.multiple, value));
   }
-  void judge(const std::string& path, const Vec3& value, const Spec& spec) {
-    for (int axis = 0; axis < 3; ++axis) judge(joined(path, fmt::format("{}", axis)), value[axis], spec);
+  void check_value(const std::string& path, const Vec3& value, const Spec& spec) {
+    for (int axis = 0; axis < 3; ++axis) check_value(joined(path, fmt::format("{}", axis)), value[axis], spec);
   }
-  void judge(const std::string& path, const Spin& spin, const Spec& spec) { judge(path, spin.value, spec); }
-  void judge(const std::string& path, const AutoRange& range, const Spec& spec) { judge(path, range.value, spec); }
-  template <class T>
-  void judge(const std::string& path, const OrWord<T>& value, const Spec& spec) {
-    if (value.value != value.stands_for) judge(path, value.value, spec);
+  void check_value(const std::string& path, const Spin& spin, const Spec& spec) { check_value(path, spin.value, spec); }
+  void check_value(const std::string& path, const AutoRange& range, const Spec& spec) {
+    check_value(path, range.value, spec);
   }
   template <class T>
-  void judge(const std::string& path, const std::optional<T>& value, const Spec& spec) {
-    if (value) judge(path, *value, spec);
+  void check_value(const std::string& path, const OrWord<T>& value, const Spec& spec) {
+    if (value.value != value.stands_for) check_value(path, value.value, spec);
+  }
+  template <class T>
+  void check_value(const std::string& path, const std::optional<T>& value, const Spec& spec) {
+    if (value) check_value(path, *value, spec);
   }
   template <class T, std::size_t N>
-  void judge(const std::string& path, const std::array<T, N>& values, const Spec& spec) {
-    for (std::size_t i = 0; i < N; ++i) judge(joined(path, fmt::format("{}", i)), values[i], spec);
+  void check_value(const std::string& path, const std::array<T, N>& values, const Spec& spec) {
+    for (std::size_t i = 0; i < N; ++i) check_value(joined(path, fmt::format("{}", i)), values[i], spec);
   }
   template <class T>
-  void judge(const std::string& path, const std::vector<T>& values, const Spec& spec) {
+  void check_value(const std::string& path, const std::vector<T>& values, const Spec& spec) {
     if (values.size() < static_cast<std::size_t>(spec.least)) {
       report(path, fmt::format("needs at least {}, got {}", spec.least, values.size()));
     }
-    for (std::size_t i = 0; i < values.size(); ++i) judge(joined(path, fmt::format("{}", i)), values[i], spec);
+    for (std::size_t i = 0; i < values.size(); ++i) check_value(joined(path, fmt::format("{}", i)), values[i], spec);
   }
-  void judge(const std::string& path, const FileName& name, const Spec&) {
+  void check_value(const std::string& path, const FileName& name, const Spec&) {
     const std::string wrong = file_name_mistake(name.value);
     if (!wrong.empty()) report(path, wrong);
   }
-  void judge(const std::string&, bool, const Spec&) {}
-  void judge(const std::string&, const std::string&, const Spec&) {}
+  void check_value(const std::string&, bool, const Spec&) {}
+  void check_value(const std::string&, const std::string&, const Spec&) {}
   template <class E>
   requires std::is_enum_v<E>
-  void judge(const std::string&, E, const Spec&) {}
+  void check_value(const std::string&, E, const Spec&) {}
 
   Checker& checker_;
   std::string path_;

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "scene/checker.h"
+#include "scene/settings.h"
 
 namespace weir {
 
@@ -9,8 +10,17 @@ namespace {
 
 std::string event_path(std::size_t i) { return fmt::format("timeline.{}", i); }
 
+std::array<bool, parameter_count> parameters_in(const Settings& set) {
+  std::array<bool, parameter_count> result{};
+  for_each_setting([&](const auto& row) {
+    if (set.*row.value) result[static_cast<std::size_t>(row.parameter)] = true;
+  });
+  return result;
+}
+
 bool sets_any(const Settings& set) {
-  return set.gravity || set.viscosity || set.surface_tension || set.stiffness || set.sound_speed;
+  const auto sets = parameters_in(set);
+  return std::find(sets.begin(), sets.end(), true) != sets.end();
 }
 
 // An event that does something, at a time that comes, to terms that the scene has.
@@ -49,7 +59,7 @@ struct Taken {
 
 void check_timeline(Checker& checker) {
   const std::vector<TimelineEvent>& events = checker.scene.timeline;
-  std::array<Taken, 4> taken;  // stiffness and sound speed are one setting
+  std::array<Taken, parameter_count> taken;
   for (std::size_t i = 0; i < events.size(); ++i) {
     const TimelineEvent& event = events[i];
     const std::string path = event_path(i);
@@ -59,8 +69,7 @@ void check_timeline(Checker& checker) {
       checker.add(path + ".at", fmt::format("lies before {}.at; events stand in the order of time", event_path(i - 1)));
       continue;
     }
-    const std::array<bool, 4> sets{event.set.gravity.has_value(), event.set.viscosity.has_value(),
-                                   event.set.surface_tension.has_value(), event.set.stiffness || event.set.sound_speed};
+    const auto sets = parameters_in(event.set);
     for (std::size_t k = 0; k < sets.size(); ++k) {
       if (!sets[k]) continue;
       Taken& last = taken[k];

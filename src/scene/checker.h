@@ -1,4 +1,4 @@
-// What the files of rules share.
+// Shared by the files of rules.
 #pragma once
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ class Checker {
     violations_.push_back({std::move(path), std::move(message)});
   }
   std::vector<Violation> take() { return std::move(violations_); }
-  // Whether the values at all these paths are there and, as far as rules went until now, right.
+  // Whether the values at all these paths were read and no rule so far has refused them.
   template <class... Path>
   bool usable(const Path&... paths) const {
     return (usable_one(std::string(paths)) && ...);
@@ -46,7 +46,9 @@ inline std::string point_text(const Vec3& point, int dimension) {
 
 void check_ranges(Checker& checker);    // each field by itself, by the field table
 void check_geometry(Checker& checker);  // volumes and walls, each by itself and their number
-void check_meeting(Checker& checker);   // volumes and walls against each other
+void check_periodic(Checker& checker);  // periodic axes and the domain
+void check_solver(Checker& checker);    // the solver's settings against walls
+void check_overlap(Checker& checker);   // volumes and walls against each other
 void check_timeline(Checker& checker);
 void check_pictures(Checker& checker);  // camera, render, output
 

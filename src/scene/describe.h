@@ -1,5 +1,4 @@
-// The field table: how each field of scene.h is called in a file, its unit, range and meaning; defaults are those of
-// the structs. Reader, writer, schema and reference are visitors over this one table and so cannot disagree.
+// The field table: key, unit, range and meaning of each field of scene.h; defaults are those of the structs. Reader, writer, schema and reference are visitors over this one table and so cannot disagree.
 //
 // A visitor has
 //   field(key, value, spec)            a leaf: number, word, vector, list of those
@@ -10,84 +9,22 @@
 //   forms(key, variant, meaning, ...)  a value that is a Word, or a Map of one kind or another
 //   by_dimension(variant, Map...)      keys that depend on the dimension, beside the others
 //   toggle(key, optional, meaning)     true, false or a map
+//   option(key, optional, meaning)     a map that may be left out
 //   version(key, number)               the format version
 //   not_built(key, empty, meaning)     a reserved key, of which only the empty form is accepted
 #pragma once
 
-#include <array>
-#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 #include "scene/scene.h"
+#include "scene/settings.h"
+#include "scene/spec.h"
 
 namespace weir {
 
 inline constexpr int format_version = 1;
-
-struct Range {
-  double min = -std::numeric_limits<double>::infinity();
-  double max = std::numeric_limits<double>::infinity();
-  bool above = false;  // `min` itself is not allowed
-};
-inline constexpr Range positive{0, std::numeric_limits<double>::infinity(), true};
-inline constexpr Range not_negative{0, std::numeric_limits<double>::infinity(), false};
-
-struct Spec {
-  std::string_view meaning;
-  std::string_view unit = {};
-  Range range = {};
-  bool required = false;
-  int multiple = 1;  // whole numbers: of what
-  int least = 0;     // lists: elements at least
-};
-
-// One of several keys, holding a map that describes a T; `dimension` 0: any.
-template <class T>
-struct Named {
-  std::string_view key;
-  std::string_view meaning;
-  int dimension = 0;
-};
-// One of several keys, holding a number.
-template <class T>
-struct Leaf {
-  std::string_view key;
-  double T::*member;
-  Spec spec;
-};
-// One of several forms of a value.
-template <class T>
-struct Word {
-  std::string_view word;
-};
-template <class T>
-struct Map {
-  int dimension = 0;
-};
-
-// A rotation: a number in 2D, a vector in 3D.
-struct Spin {
-  Vec3& value;
-};
-// What files and folders are called by.
-struct FileName {
-  std::string& value;
-};
-// A number, or a word that stands for one.
-template <class T>
-struct OrWord {
-  T& value;
-  T stands_for;
-  std::string_view word;
-};
-// Two increasing numbers, or `auto`.
-struct AutoRange {
-  std::optional<std::array<double, 2>>& value;
-};
-
-enum class EmptyForm { list, off, none };  // [], false, not even that
 
 inline Vec3 default_gravity(int dimension) { return dimension == 3 ? Vec3(0, 0, -9.81) : Vec3(0, -9.81, 0); }
 
@@ -125,6 +62,13 @@ void describe(V& v, Shape& shape) {
 // ---- fluid --------------------------------------------------------------------------------------------------------
 
 template <class V>
+void describe(V& v, TaylorGreen& flow) {
+  v.field("speed", flow.speed, Spec{.meaning = "largest speed U", .unit = "m/s", .required = true});
+  v.field("wave_length", flow.wave_length,
+          Spec{.meaning = "wave length L", .unit = "m", .range = positive, .required = true});
+}
+
+template <class V>
 void describe(V& v, Volume& volume) {
   describe_shape(v, volume.shape, [](auto&) {});
   v.field("velocity", volume.velocity, Spec{.meaning = "velocity at the start", .unit = "m/s"});
@@ -132,22 +76,29 @@ void describe(V& v, Volume& volume) {
           Spec{.meaning = "rotation about the shape's centre at the start, added to the velocity; a number in 2D, a "
                           "vector in 3D",
                .unit = "rad/s"});
+  v.group("flow", "velocity field at the start, added to the velocity", [&](auto& sub) {
+    sub.option("taylor_green", volume.flow.taylor_green,
+               "u = -U cos(2 pi x / L) sin(2 pi y / L), v = U sin(2 pi x / L) cos(2 pi y / L)");
+  });
+  v.field(
+      "perturbation", volume.perturbation,
+      Spec{.meaning = "each particle is moved at the start by up to so many spacings along each axis, at random but "
+                      "the same in every run",
+           .unit = "1",
+           .range = {0, 0.3}});
 }
 
 template <class V>
 void describe(V& v, Viscosity& viscosity) {
   v.field("model", viscosity.model,
           Spec{.meaning = "form of the viscous term; hinsch2024 is the printed form, kept for comparison"});
-  v.field("kinematic", viscosity.kinematic,
-          Spec{.meaning = "kinematic viscosity", .unit = "m^2/s", .range = not_negative});
+  v.field("kinematic", viscosity.kinematic, viscosity_spec);
 }
 
 template <class V>
 void describe(V& v, SurfaceTension& tension) {
   v.field("model", tension.model, Spec{.meaning = "form of the cohesion between fluid particles"});
-  v.field(
-      "coefficient", tension.coefficient,
-      Spec{.meaning = "strength of the cohesion; d is the dimension", .unit = "m^(d+2)/s^2", .range = not_negative});
+  v.field("coefficient", tension.coefficient, surface_tension_spec);
 }
 
 template <class V>
@@ -156,7 +107,8 @@ void describe(V& v, Fluid& fluid) {
           Spec{.meaning = "density at zero pressure", .unit = "kg/m^3", .range = positive});
   v.group("viscosity", "viscous force", [&](auto& sub) { describe(sub, fluid.viscosity); });
   v.group("surface_tension", "surface tension", [&](auto& sub) { describe(sub, fluid.surface_tension); });
-  v.list("volumes", fluid.volumes, Spec{.meaning = "where the fluid is at the start", .required = true, .least = 1});
+  v.list("volumes", fluid.volumes,
+         Spec{.meaning = "shapes that are filled with fluid at the start", .required = true, .least = 1});
 }
 
 // ---- walls --------------------------------------------------------------------------------------------------------
@@ -198,7 +150,12 @@ void describe(V& v, Wall& wall) {
         "layers", OrWord<int>{wall.layers, 0, "auto"},
         Spec{.meaning = "layers of wall particles; auto: as many as fill the kernel's support", .range = {1, 100}});
     sub.list("holes", wall.holes, Spec{.meaning = "shapes, as in fluid.volumes, where this wall is left out"});
-    sub.not_built("motion", EmptyForm::none, "moving walls");
+    sub.group("motion", "how the wall moves", [&](auto& motion) {
+      motion.field("slide", wall.slide,
+                   Spec{.meaning = "velocity with which the surface slides along itself, as a lid or a belt does; "
+                                   "positions stay",
+                        .unit = "m/s"});
+    });
   };
   v.one_of(wall.shape, common, Named<Tank>{"tank", "a container: layers grow outwards from its faces"},
            Named<Block>{"box", "a solid box: layers grow inwards from its faces"},
@@ -209,6 +166,12 @@ void describe(V& v, Wall& wall) {
 }
 
 // ---- solver -------------------------------------------------------------------------------------------------------
+
+template <class V>
+void describe(V& v, Bounds& box) {
+  v.field("min", box.min, Spec{.meaning = "lower corner", .unit = "m", .required = true});
+  v.field("max", box.max, Spec{.meaning = "upper corner", .unit = "m", .required = true});
+}
 
 template <class V>
 void describe(V& v, Kernel& kernel) {
@@ -248,23 +211,19 @@ void describe(V& v, FixedStep& step) {
 template <class V>
 void describe(V& v, Solver& solver) {
   v.field("method", solver.method, Spec{.meaning = "pressure solver"});
+  v.field("density_diffusion", solver.density_diffusion,
+          Spec{.meaning = "delta_sph: strength delta of the density diffusion", .unit = "1", .range = not_negative});
   v.group("kernel", "smoothing kernel", [&](auto& sub) { describe(sub, solver.kernel); });
-  v.one_field_of(
-      solver.compressibility,
-      Leaf<Stiffness>{
-          "stiffness", &Stiffness::k,
-          Spec{.meaning = "k of p = k ((rho / rest_density)^exponent - 1)", .unit = "Pa", .range = positive}},
-      Leaf<SoundSpeed>{"sound_speed", &SoundSpeed::c0,
-                       Spec{.meaning = "in place of stiffness: k = rest_density sound_speed^2 / exponent",
-                            .unit = "m/s",
-                            .range = positive}});
+  v.one_field_of(solver.compressibility, Leaf<Stiffness>{"stiffness", &Stiffness::k, stiffness_spec},
+                 Leaf<SoundSpeed>{"sound_speed", &SoundSpeed::c0, sound_speed_spec});
   v.field("exponent", solver.exponent,
           Spec{.meaning = "of the state equation; 7 is Tait's, 1 the linear one", .unit = "1", .range = {1, 7}});
   v.field("negative_pressure", solver.negative_pressure,
           Spec{.meaning = "clamp: tension becomes zero pressure, as a free surface needs"});
   v.field("wall_slip", solver.wall_slip, Spec{.meaning = "whether walls exert viscous force: no_slip they do"});
-  v.field("neighbour_search", solver.neighbour_search,
-          Spec{.meaning = "how neighbours are found; naive compares all pairs"});
+  v.field("wall_pressure", solver.wall_pressure,
+          Spec{.meaning = "pressure of wall particles. mirrored: that of the fluid particle itself; extrapolated: from "
+                          "the fluid around them"});
   v.forms("time_step", solver.time_step, "limits of an adaptive time step, or {fixed: dt}", Map<AdaptiveStep>{},
           Map<FixedStep>{});
 }
@@ -273,15 +232,7 @@ void describe(V& v, Solver& solver) {
 
 template <class V>
 void describe(V& v, Settings& set) {
-  v.field("gravity", set.gravity, Spec{.meaning = "gravity from then on", .unit = "m/s^2"});
-  v.field("fluid.viscosity.kinematic", set.viscosity,
-          Spec{.meaning = "kinematic viscosity from then on", .unit = "m^2/s", .range = not_negative});
-  v.field("fluid.surface_tension.coefficient", set.surface_tension,
-          Spec{.meaning = "strength of the cohesion from then on", .unit = "m^(d+2)/s^2", .range = not_negative});
-  v.field("solver.stiffness", set.stiffness,
-          Spec{.meaning = "stiffness from then on", .unit = "Pa", .range = positive});
-  v.field("solver.sound_speed", set.sound_speed,
-          Spec{.meaning = "sound speed from then on", .unit = "m/s", .range = positive});
+  for_each_setting([&](const auto& row) { v.field(row.key, set.*row.value, row.spec); });
 }
 
 template <class V>
@@ -290,8 +241,8 @@ void describe(V& v, TimelineEvent& event) {
   v.field(
       "over", event.over,
       Spec{.meaning = "length of the linear ramp to the new settings; 0: at once", .unit = "s", .range = not_negative});
-  v.group("set", "settings that change", [&](auto& sub) { describe(sub, event.set); });
-  v.field("reset", event.reset, Spec{.meaning = "particles return to where they began; settings stay"});
+  v.group("set", "settings from then on", [&](auto& sub) { describe(sub, event.set); });
+  v.field("reset", event.reset, Spec{.meaning = "particles return to their initial state; settings stay"});
   v.field("pause", event.pause, Spec{.meaning = "true: the movie holds; false: it goes on"});
 }
 
@@ -299,15 +250,15 @@ void describe(V& v, TimelineEvent& event) {
 
 template <class V>
 void describe(V& v, View2D& view) {
-  v.field("center", view.center, Spec{.meaning = "middle of the picture (2D)", .unit = "m", .required = true});
+  v.field("center", view.center, Spec{.meaning = "centre of the visible region (2D)", .unit = "m", .required = true});
   v.field("width", view.width,
-          Spec{.meaning = "what is visible across the picture (2D)", .unit = "m", .range = positive, .required = true});
+          Spec{.meaning = "width of the visible region (2D)", .unit = "m", .range = positive, .required = true});
 }
 
 template <class V>
 void describe(V& v, View3D& view) {
-  v.field("eye", view.eye, Spec{.meaning = "where the camera is (3D)", .unit = "m", .required = true});
-  v.field("target", view.target, Spec{.meaning = "what it looks at (3D)", .unit = "m", .required = true});
+  v.field("eye", view.eye, Spec{.meaning = "position of the camera (3D)", .unit = "m", .required = true});
+  v.field("target", view.target, Spec{.meaning = "point that it looks at (3D)", .unit = "m", .required = true});
   v.field("field_of_view", view.field_of_view,
           Spec{.meaning = "vertical opening angle (3D)", .unit = "degrees", .range = {1, 170}});
 }
@@ -344,7 +295,7 @@ void describe(V& v, Render& render) {
           Spec{.meaning = "width and height of pictures, even", .unit = "pixels", .range = {16, 16384}, .multiple = 2});
   v.field("fps", render.fps, Spec{.meaning = "pictures per second of run time", .unit = "1/s", .range = {1, 1000}});
   v.group("color", "colours of the fluid", [&](auto& sub) { describe(sub, render.color); });
-  v.field("overlay", render.overlay, Spec{.meaning = "what is drawn over the picture"});
+  v.field("overlay", render.overlay, Spec{.meaning = "items drawn over the picture"});
   v.field("theme", render.theme, Spec{.meaning = "background and text"});
   v.field("transparent", render.transparent, Spec{.meaning = "PNG files without background; movies keep theirs"});
   v.field("walls", render.walls, Spec{.meaning = "whether walls are drawn"});
@@ -355,7 +306,7 @@ void describe(V& v, Render& render) {
 template <class V>
 void describe(V& v, Movie& movie) {
   v.field("encoder", movie.encoder,
-          Spec{.meaning = "H.264 encoder by its libav name; auto: libx264, else what is there"});
+          Spec{.meaning = "H.264 encoder by its libav name; auto: libx264, else another one that is installed"});
   v.field("quality", movie.quality,
           Spec{.meaning = "rate factor, for `ultrafast` a quantiser 5 above it; 0 is the best, more is smaller",
                .unit = "1",
@@ -393,15 +344,19 @@ void describe(V& v, Scene& scene) {
               Spec{.meaning = "distance dx of particles at rest", .unit = "m", .range = positive, .required = true});
   });
   v.group("fluid", "the fluid", [&](auto& sub) { describe(sub, scene.fluid); });
-  v.list("walls", scene.walls, Spec{.meaning = "what the fluid cannot cross"});
-  v.not_built("periodic", EmptyForm::list, "periodic boundaries");
+  v.list("walls", scene.walls, Spec{.meaning = "solid boundaries"});
+  v.field("periodic", scene.periodic,
+          Spec{.meaning = "axes along which particles that leave the domain at one end enter it at the other"});
+  v.option("domain", scene.domain,
+           "extent along periodic axes, a whole number of spacings; by default the span of fluid volumes and walls, "
+           "without the walls' layers");
   v.not_built("bodies", EmptyForm::list, "rigid bodies");
   v.group("solver", "the method", [&](auto& sub) { describe(sub, scene.solver); });
-  v.list("timeline", scene.timeline, Spec{.meaning = "what changes during the run"});
-  v.group("camera", "what is seen", [&](auto& sub) { describe(sub, scene.camera); });
-  v.group("render", "how pictures look", [&](auto& sub) { describe(sub, scene.render); });
+  v.list("timeline", scene.timeline, Spec{.meaning = "changes during the run"});
+  v.group("camera", "view of the pictures", [&](auto& sub) { describe(sub, scene.camera); });
+  v.group("render", "appearance of the pictures", [&](auto& sub) { describe(sub, scene.render); });
   v.not_built("probes", EmptyForm::list, "probes");
-  v.group("output", "what is written", [&](auto& sub) { describe(sub, scene.output); });
+  v.group("output", "files that are written", [&](auto& sub) { describe(sub, scene.output); });
 }
 
 }  // namespace weir

@@ -7,7 +7,7 @@
 
 namespace weir {
 
-// Where something stands: in the file, or in the option of that index.
+// A position in the file, or in the option of that index.
 struct Position {
   int line = 1;
   int column = 1;   // in characters
@@ -30,8 +30,8 @@ struct Mistake {
   std::string message;
 };
 
-// One document. What is wrong but does not stop the parser (tags, aliases) is added to `mistakes`; a syntax error is
-// thrown as SyntaxError.
+// One document. Mistakes that do not stop the parser (tags, aliases) are added to `mistakes`; a syntax error is thrown as
+// SyntaxError.
 struct SyntaxError {
   Position at;
   std::string message;
@@ -47,7 +47,7 @@ const Node& nearest(const Node& root, std::string_view path);
 // Keys whose names hold dots: all that follows "set" is one key.
 std::vector<std::string> split_path(std::string_view path);
 
-// Puts `value` in the place that `path` names, making maps on the way; a null value takes the key out.
+// Sets the value at `path`, creating maps on the way; a null value removes the key.
 void merge_override(Node& root, const std::string& path, Node value, std::vector<Mistake>& mistakes);
 
 // YAML text of a tree: block style, with short leaves in flow style.

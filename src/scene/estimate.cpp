@@ -5,6 +5,7 @@
 #include "scene/check.h"
 #include "scene/geometry.h"
 #include "scene/memory.h"
+#include "scene/origin.h"
 #include "scene/sampling.h"
 
 namespace weir {
@@ -31,10 +32,10 @@ double time_step(const Scene& scene) {
 }  // namespace
 
 Estimate estimate(const Scene& scene) {
-  const ParticleCount count = count_particles(scene);
+  const Scene at_origin = relative_to(scene, scene_origin(scene));
   Estimate result;
-  result.fluid_particles = count.fluid;
-  result.wall_particles = count.wall;
+  result.fluid_particles = count_fluid(at_origin);
+  result.wall_particles = static_cast<std::int64_t>(sample_walls(at_origin).size());
   result.memory = bytes_per_particle(scene) * static_cast<double>(result.fluid_particles) +
                   bytes_per_wall_particle(scene) * static_cast<double>(result.wall_particles);
   result.dt = time_step(scene);

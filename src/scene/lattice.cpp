@@ -3,15 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/cells.h"
 #include "scene/geometry.h"
 
 namespace weir {
-
-namespace {
-
-std::int64_t cells(double length, double dx) { return std::max<std::int64_t>(1, std::llround(length / dx)); }
-
-}  // namespace
 
 Lattice::Lattice(const Shape& shape, int dimension, double dx)
     : shape_(&shape), dimension_(dimension), dx_(dx), bounds_(shape_bounds(shape, dimension)) {

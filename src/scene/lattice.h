@@ -1,6 +1,7 @@
-// The particles of one volume by their numbers along the axes. None is stored: of ten million, a row is two numbers.
+// The particles of one volume as a lattice: rows of nodes by their first and last column. No particle is stored.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "scene/scene.h"
@@ -25,10 +26,10 @@ class Lattice {
   const glm::i64vec3& size() const { return size_; }  // nodes in the box around all particles; some may be empty
 
   Vec3 point(const glm::i64vec3& node) const { return base_ + dx_ * (Vec3(node) + shift_); }
-  // Where along an axis a coordinate lies, in nodes.
+  // Node number of a coordinate along an axis; not rounded.
   double node_at(int axis, double coordinate) const { return (coordinate - base_[axis]) / dx_ - shift_[axis]; }
 
-  // What the row at (any, y, z) holds, from left to right.
+  // Runs of nodes in the row at (any, y, z), from left to right.
   void runs(std::int64_t y, std::int64_t z, std::vector<Run>& result) const;
   std::int64_t count() const;
   bool empty() const;
@@ -50,13 +51,25 @@ class Lattice {
     }
     return false;
   }
+  // Calls visit(point), x fastest, for particles that may lie in `within`, until it returns true; says whether it did.
+  template <class Visit>
+  bool any_point(const Bounds& within, Visit visit) const {
+    const Run columns = clipped(0, within);
+    return any_row(within, [&](std::int64_t y, std::int64_t z, const std::vector<Run>& held) {
+      for (const Run& run : held) {
+        const std::int64_t end = std::min(run.end, columns.end);
+        for (std::int64_t x = std::max(run.begin, columns.begin); x < end; ++x) {
+          if (visit(point({x, y, z}))) return true;
+        }
+      }
+      return false;
+    });
+  }
   // Calls visit(point) for every particle, x fastest.
   template <class Visit>
   void for_each(Visit visit) const {
-    any_row(bounds_, [&](std::int64_t y, std::int64_t z, const std::vector<Run>& held) {
-      for (const Run& run : held) {
-        for (std::int64_t x = run.begin; x < run.end; ++x) visit(point({x, y, z}));
-      }
+    any_point(bounds_, [&](const Vec3& point) {
+      visit(point);
       return false;
     });
   }

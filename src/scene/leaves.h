@@ -1,4 +1,4 @@
-// Reads one value of each type that a field can have; says what is wrong with it and where.
+// Reads one value of each type that a field can have; reports mistakes with their position.
 #pragma once
 
 #include <fmt/format.h>
@@ -106,15 +106,15 @@ class LeafReader {
   int dimension_;
 };
 
-// What the range of `spec` demands of a value that breaks it, or an empty text.
+// The demand of the range of `spec` that a value breaks, or an empty text.
 std::string range_mistake(double value, const Spec& spec);
 
-// What is wrong with the name of a file or folder, or an empty text. The same everywhere: a name that one system or
-// shell takes for something else is refused on all.
+// The mistake in the name of a file or folder, or an empty text. The same on all systems: a name that one system or
+// shell would misread is refused everywhere.
 std::string file_name_mistake(const std::string& name);
 inline constexpr int longest_file_name = 200;  // characters; with an ending, systems allow 255
 
-// What a node holds, for messages: "the text 'abc'", "a list".
+// The content of a node, for messages: "the text 'abc'", "a list".
 std::string content(const Node& node);
 
 }  // namespace weir

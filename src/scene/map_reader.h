@@ -54,7 +54,7 @@ class MapReader {
     const Node* node = find(key);
     MapReader sub(mistakes_, node != nullptr ? *node : absent, joined(path_, key), dimension_);
     if (node == nullptr) {
-      sub.at_ = at_;  // what is missing in it is missing here
+      sub.at_ = at_;  // keys missing in it are missing here
       sub.quiet_ = quiet_;
     }
     describer(sub);
@@ -151,12 +151,23 @@ class MapReader {
     }
   }
 
+  template <class T>
+  void option(std::string_view key, std::optional<T>& value, std::string_view) {
+    const Node* node = find(key);
+    if (node == nullptr) return;
+    T read{};
+    MapReader sub(mistakes_, *node, joined(path_, key), dimension_);
+    describe(sub, read);
+    sub.finish();
+    value = read;
+  }
+
   void version(std::string_view key, int number);
   void not_built(std::string_view key, EmptyForm empty, std::string_view meaning);
 
   // Call last: keys that no field asked for.
   void finish();
-  // Set if the document is of another format version; then nothing else about it counts.
+  // Set if the document is of another format version; then no other mistake is reported.
   const std::optional<Mistake>& other_version() const { return other_version_; }
 
  private:
@@ -277,7 +288,7 @@ class MapReader {
   std::string path_;
   int dimension_;
   Position at_;
-  bool quiet_ = false;                     // what is missing has been said
+  bool quiet_ = false;                     // missing keys have been reported
   std::vector<std::string_view> known_;    // keys asked for
   std::vector<std::string_view> foreign_;  // keys of another form of this value
   std::optional<Mistake> other_version_;

@@ -43,15 +43,15 @@ double content(const Round& round, int dimension, double thick) {
 
 }  // namespace
 
-// Positions of d dimensions, once more for the sort, and what goes with them:
-//   4 x 4 d + 4 x 3   x and rest, twice; id, twice; order
+// Positions of d dimensions, a copy for the sort, and their tiling:
+//   4 x 4 d + 4 x 3   x and its compensation, twice; id, twice; order
 //   2 d + d           boxes of clusters (2 d floats for 4 particles), centres of groups (2 x d doubles for 16)
 double bytes_per_wall_particle(const Scene& scene) {
   const int d = scene.dimension;
   return 4 * (4 * d + 3) + 3 * d;
 }
 
-// Beside its place
+// Beside the position
 //   4 x 2 d + 4 x 2   velocity, acceleration; density, pressure
 //   8                 while the state is hashed
 // and two kinds of lists, with and without the skin, whose numbers of 4 bytes stand for some four pairs (more in 3D); they

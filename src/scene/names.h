@@ -1,5 +1,4 @@
-// How every choice is called in a file. Choices that the format reserves but the program lacks are listed too, so that
-// they are refused by name.
+// Words for choices in a file. Reserved choices that are not built are listed too, so that they are refused by name.
 #pragma once
 
 #include <algorithm>
@@ -47,6 +46,11 @@ struct Names<Side> {
   static constexpr Later<0> later{};
 };
 template <>
+struct Names<Axis> {
+  static constexpr std::array<Name<Axis>, 3> built{{{Axis::x, "x"}, {Axis::y, "y"}, {Axis::z, "z"}}};
+  static constexpr Later<0> later{};
+};
+template <>
 struct Names<Flank> {
   static constexpr std::array<Name<Flank>, 2> built{{{Flank::left, "left"}, {Flank::right, "right"}}};
   static constexpr Later<0> later{};
@@ -58,7 +62,7 @@ struct Names<Face> {
 };
 template <>
 struct Names<Method> {
-  static constexpr std::array<Name<Method>, 1> built{{{Method::wcsph, "wcsph"}}};
+  static constexpr std::array<Name<Method>, 2> built{{{Method::wcsph, "wcsph"}, {Method::delta_sph, "delta_sph"}}};
   static constexpr Later<3> later{"iisph", "dfsph", "pcisph"};
 };
 template <>
@@ -80,9 +84,9 @@ struct Names<WallSlip> {
   static constexpr Later<0> later{};
 };
 template <>
-struct Names<NeighbourSearch> {
-  static constexpr std::array<Name<NeighbourSearch>, 2> built{
-      {{NeighbourSearch::index_sort, "index_sort"}, {NeighbourSearch::naive, "naive"}}};
+struct Names<WallPressure> {
+  static constexpr std::array<Name<WallPressure>, 2> built{
+      {{WallPressure::mirrored, "mirrored"}, {WallPressure::extrapolated, "extrapolated"}}};
   static constexpr Later<0> later{};
 };
 // Those that can colour.

@@ -25,7 +25,7 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-// What a text that is no number of ours was probably meant to be; empty: nothing like a number.
+// The probable meaning of a text that is not a number of this grammar; empty: nothing like a number.
 std::string look_alike(std::string_view unsigned_text) {
   const std::string text = lower(unsigned_text);
   if (text == ".inf" || text == "inf" || text == "infinity") return "infinity is not a number here";

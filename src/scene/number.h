@@ -11,7 +11,7 @@ namespace weir {
 
 struct ParsedNumber {
   std::optional<double> value;  // finite
-  std::string why;              // if there is no value: what is wrong with the text
+  std::string why;              // if there is no value: the mistake in the text
 };
 ParsedNumber parse_number(std::string_view text);
 

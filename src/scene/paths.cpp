@@ -22,6 +22,8 @@ class KeyFinder {
   template <class... Any>
   void field(Any&&...) {}
   template <class... Any>
+  void group(Any&&...) {}
+  template <class... Any>
   void not_built(Any&&...) {}
   // Where the variant has no key in this dimension, the path ends above it.
   std::string under(const std::string& path) const { return key_.empty() ? path : fmt::format("{}.{}", path, key_); }

@@ -1,4 +1,4 @@
-// How the parts of a scene are called in messages: the keys that lead to them in a file.
+// Names of the parts of a scene in messages: their keys in a file.
 #pragma once
 
 #include <string>

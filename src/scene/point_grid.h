@@ -1,4 +1,4 @@
-// Points in a hash grid: is there one near this place?
+// Points in a hash grid, asked for neighbours of a point.
 #pragma once
 
 #include <cmath>
@@ -21,15 +21,16 @@ class PointGrid {
     flat_ = flat_ && point.z == 0;
     labels_.push_back(label);
     const auto index = static_cast<std::int32_t>(points_.size() - 1);
-    const auto [place, fresh] = heads_.try_emplace(key(cell(point)), index);
-    if (fresh) return;
-    next_.back() = place->second;
-    place->second = index;
+    const auto [head, inserted] = heads_.try_emplace(key(cell(point)), index);
+    if (inserted) return;
+    next_.back() = head->second;
+    head->second = index;
   }
 
   // Calls visit(label, point) for every point nearer than `distance`, until it returns true; says whether it did.
   template <class Visit>
   bool any_near(const Vec3& point, double distance, Visit visit) const {
+    if (points_.empty()) return false;
     const glm::i64vec3 home = cell(point);
     const std::int64_t reach_z = flat_ && point.z == 0 ? 0 : 1;
     for (std::int64_t z = -reach_z; z <= reach_z; ++z) {

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// More than any scene; a bound on what a wrong file name can cost.
+// More than any scene; bounds the cost of a wrong file name.
 constexpr std::uintmax_t max_bytes = std::uintmax_t{16} << 20U;
 
 [[noreturn]] void refuse_file(const fs::path& file, const std::string& why) {
@@ -66,7 +66,7 @@ void find_repeated_keys(const Node& node, const std::string& path, std::vector<M
   }
 }
 
-// The dimension if it can be known; what is wrong with it is said where it is read.
+// The dimension if it can be known; mistakes in it are reported where it is read.
 int peek_dimension(const Node& root) {
   const Node* node = child(root, "dimension");
   if (node == nullptr || node->quoted) return 0;
@@ -101,7 +101,7 @@ class Reading {
       mistakes_ = {*reader.other_version()};
       fail();
     }
-    if (child(root_, "name") == nullptr) judge_name_of_file(scene.name);
+    if (child(root_, "name") == nullptr) check_name_of_file(scene.name);
     if (dimension != 0) add_violations(scene);
     if (!mistakes_.empty()) fail();
     return scene;
@@ -127,7 +127,7 @@ class Reading {
     }
   }
 
-  void judge_name_of_file(const std::string& name) {
+  void check_name_of_file(const std::string& name) {
     const std::string wrong = file_name_mistake(name);
     if (!wrong.empty()) mistakes_.push_back({root_.at, "name", "name, by default the file's, " + wrong});
   }
@@ -143,7 +143,7 @@ class Reading {
     }
   }
 
-  // A rule that is broken where an option changed something is the option's doing.
+  // A broken rule is blamed on an option that changed a value there.
   static Position blamed(const Node& node) {
     if (node.at.option >= 0) return node.at;
     for (const Node& each : node.children) {

@@ -1,4 +1,4 @@
-// From a YAML file to a scene that is right. Nothing else in the program knows YAML.
+// From a YAML file to a valid scene.
 #pragma once
 
 #include <filesystem>
@@ -19,7 +19,7 @@ Override parse_override(const std::string& text);  // throws UsageError
 // Reads, merges the overrides, checks. Throws SceneError with every mistake (a syntax error alone).
 Scene read_scene(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
 
-// The same for text in memory; `file` is what positions and the scene's name come from.
+// The same for text in memory; `file` gives the path of positions and the scene's name.
 Scene read_scene_text(const std::string& text, const std::filesystem::path& file,
                       const std::vector<Override>& overrides = {});
 

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
+#include "equations/initial_flow.h"
+#include "scene/cells.h"
 #include "scene/geometry.h"
 #include "scene/lattice.h"
 #include "scene/point_grid.h"
@@ -11,9 +14,7 @@ namespace weir {
 
 namespace {
 
-std::int64_t cells(double length, double dx) { return std::max<std::int64_t>(1, std::llround(length / dx)); }
-
-// Where the sampled volume turns about: a box's particles may reach a little further than the box, or less far.
+// Centre of rotation of the sampled volume: the particles of a box may reach a little further than the box, or less far.
 Vec3 turning_center(const Shape& shape, int dimension, double dx) {
   const auto* box = std::get_if<Box>(&shape);
   if (box == nullptr) return shape_center(shape);
@@ -22,6 +23,68 @@ Vec3 turning_center(const Shape& shape, int dimension, double dx) {
     center[axis] += 0.5 * dx * static_cast<double>(cells(box->max[axis] - box->min[axis], dx));
   }
   return center;
+}
+
+// Uniform random moves of up to `length` along each axis. They are made of the generator's own bits, which the C++
+// standard fixes: the same on every machine.
+class Perturbation {
+ public:
+  Perturbation(std::uint32_t seed, double length, int dimension)
+      : random_(seed), length_(length), dimension_(dimension) {}
+  Vec3 next() {
+    Vec3 move(0);
+    if (length_ == 0) return move;
+    for (int axis = 0; axis < dimension_; ++axis) {
+      const double unit = (static_cast<double>(random_()) + 0.5) / 2147483648.0 - 1;  // -1 .. 1
+      move[axis] = length_ * unit;
+    }
+    return move;
+  }
+
+ private:
+  std::mt19937 random_;
+  double length_;
+  int dimension_;
+};
+
+// The domain along periodic axes. A position is within [min, max); rounding, of either end, must neither lose a particle
+// nor count its image.
+class Period {
+ public:
+  explicit Period(const Scene& scene)
+      : extent_(periodic_extent(scene)), slack_(1e-6 * scene.particle_spacing), dimension_(scene.dimension) {
+    for (int axis = 0; axis < 3; ++axis) periodic_[static_cast<std::size_t>(axis)] = is_periodic(scene, axis);
+  }
+  bool holds(const Vec3& point) const {
+    for (int axis = 0; axis < dimension_; ++axis) {
+      if (!periodic_[static_cast<std::size_t>(axis)]) continue;
+      if (point[axis] < extent_.min[axis] - slack_ || point[axis] >= extent_.max[axis] - slack_) return false;
+    }
+    return true;
+  }
+  Vec3 wrapped(Vec3 point) const {
+    for (int axis = 0; axis < dimension_; ++axis) {
+      if (!periodic_[static_cast<std::size_t>(axis)]) continue;
+      const double length = extent_.max[axis] - extent_.min[axis];
+      if (point[axis] < extent_.min[axis]) point[axis] += length;
+      if (point[axis] >= extent_.max[axis]) point[axis] = std::max(extent_.min[axis], point[axis] - length);
+    }
+    return point;
+  }
+
+ private:
+  Bounds extent_;
+  double slack_;
+  int dimension_;
+  std::array<bool, 3> periodic_{};
+};
+
+Vec3 initial_velocity(const Volume& volume, const Vec3& point, const Vec3& center) {
+  Vec3 velocity = volume.velocity + glm::cross(volume.angular_velocity, point - center);
+  if (const auto& flow = volume.flow.taylor_green) {
+    velocity += taylor_green_velocity(flow->speed, flow->wave_length, point - flow->phase_origin);
+  }
+  return velocity;
 }
 
 }  // namespace
@@ -34,28 +97,55 @@ std::vector<Vec3> sample_volume(const Shape& shape, int dimension, double dx) {
   return points;
 }
 
+std::int64_t count_fluid(const Scene& scene) {
+  std::int64_t count = 0;
+  for (const Volume& volume : scene.fluid.volumes) {
+    count += Lattice(volume.shape, scene.dimension, scene.particle_spacing).count();
+  }
+  return count;
+}
+
+std::vector<Vec3> sample_walls(const Scene& scene, std::vector<std::size_t>* ends) {
+  const double dx = scene.particle_spacing;
+  const Period period(scene);
+  PointGrid earlier(wall_merge_distance * dx);  // walls; within one wall, particles keep that distance by themselves
+  std::vector<Vec3> points;
+  for (const Wall& wall : scene.walls) {
+    const std::size_t first = points.size();
+    for (const Vec3& point : sample_wall(wall, scene.dimension, dx, wall_layers(scene, wall))) {
+      if (period.holds(point) && !earlier.any_near(point, wall_merge_distance * dx)) points.push_back(point);
+    }
+    if (ends != nullptr) ends->push_back(points.size());
+    if (&wall == &scene.walls.back()) break;
+    for (std::size_t i = first; i < points.size(); ++i) earlier.add(points[i], 0);
+  }
+  return points;
+}
+
 Sampling sample(const Scene& scene) {
   Sampling sampling;
   const double dx = scene.particle_spacing;
-  std::int64_t count = 0;
-  for (const Volume& volume : scene.fluid.volumes) count += Lattice(volume.shape, scene.dimension, dx).count();
-  sampling.fluid_positions.reserve(static_cast<std::size_t>(count));
-  sampling.fluid_velocities.reserve(static_cast<std::size_t>(count));
-  for (const Volume& volume : scene.fluid.volumes) {
+  const auto count = static_cast<std::size_t>(count_fluid(scene));
+  sampling.fluid_positions.reserve(count);
+  sampling.fluid_velocities.reserve(count);
+  const Period period(scene);
+  for (std::size_t i = 0; i < scene.fluid.volumes.size(); ++i) {
+    const Volume& volume = scene.fluid.volumes[i];
     const Vec3 center = turning_center(volume.shape, scene.dimension, dx);
-    Lattice(volume.shape, scene.dimension, dx).for_each([&](const Vec3& point) {
-      sampling.fluid_positions.push_back(point);
-      sampling.fluid_velocities.push_back(volume.velocity + glm::cross(volume.angular_velocity, point - center));
+    Perturbation perturbation(static_cast<std::uint32_t>(i), volume.perturbation * dx, scene.dimension);
+    Lattice(volume.shape, scene.dimension, dx).for_each([&](const Vec3& node) {
+      const Vec3 point = node + perturbation.next();
+      sampling.fluid_positions.push_back(period.wrapped(point));
+      sampling.fluid_velocities.push_back(initial_velocity(volume, point, center));
     });
     sampling.volume_ends.push_back(static_cast<std::int32_t>(sampling.fluid_positions.size()));
   }
-  PointGrid kept(wall_merge_distance * dx);
-  for (const Wall& wall : scene.walls) {
-    for (const Vec3& point : sample_wall(wall, scene.dimension, dx, wall_layers(scene, wall))) {
-      if (kept.any_near(point, wall_merge_distance * dx)) continue;
-      kept.add(point, 0);
-      sampling.wall_positions.push_back(point);
-    }
+  std::vector<std::size_t> ends;
+  sampling.wall_positions = sample_walls(scene, &ends);
+  const bool slides =
+      std::any_of(scene.walls.begin(), scene.walls.end(), [](const Wall& wall) { return wall.slide != Vec3(0); });
+  if (slides) {
+    for (std::size_t k = 0; k < ends.size(); ++k) sampling.wall_slides.resize(ends[k], scene.walls[k].slide);
   }
   return sampling;
 }

@@ -1,5 +1,5 @@
-// The scene: everything that a run is told, as plain data. SI units. Tests build it here, in C++; describe.h says how
-// each field is called in a file, what it may be and what it means.
+// The scene: everything that a run is told, as plain data. SI units. Tests build it here, in C++; describe.h gives
+// the key, range and meaning of each field.
 //
 // A vector has three components whatever the dimension; in 2D, z is 0 and is neither read nor written.
 #pragma once
@@ -33,10 +33,21 @@ using Shape = std::variant<Box, Ball, Polygon>;
 
 // ---- fluid --------------------------------------------------------------------------------------------------------
 
+struct TaylorGreen {       // decaying vortices, periodic along x and y
+  double speed = 0;        // m/s, the largest
+  double wave_length = 0;  // m
+  Vec3 phase_origin{0};    // m, where the phase is zero; not in files: relative_to() keeps the phase by it
+};
+struct Flow {  // named velocity fields
+  std::optional<TaylorGreen> taylor_green{};
+};
+
 struct Volume {
   Shape shape;
   Vec3 velocity{0};          // m/s at the start
   Vec3 angular_velocity{0};  // rad/s about the shape's centre at the start; 2D: z alone
+  Flow flow{};               // added to these
+  double perturbation = 0;   // dx; each particle is moved by up to this along each axis
 };
 
 enum class ViscosityModel { none, morris, monaghan, hinsch2024 };
@@ -96,11 +107,16 @@ struct Wall {
   WallShape shape;
   int layers = 0;            // 0: as many as fill the support, ceil(support_radius / dx)
   std::vector<Shape> holes;  // regions where this wall is left out
+  Vec3 slide{0};             // m/s; the surface slides along itself (a lid, a belt), positions stay
 };
+
+// ---- domain -------------------------------------------------------------------------------------------------------
+
+enum class Axis { x, y, z };
 
 // ---- solver -------------------------------------------------------------------------------------------------------
 
-enum class Method { wcsph };
+enum class Method { wcsph, delta_sph };
 enum class KernelName { cubic_spline, wendland_c2 };
 struct Kernel {
   KernelName name = KernelName::cubic_spline;
@@ -108,7 +124,10 @@ struct Kernel {
 };
 enum class NegativePressure { clamp, keep };  // clamp: p < 0 becomes 0, as a free surface needs (erratum A3)
 enum class WallSlip { no_slip, free_slip };   // whether viscosity acts between fluid and walls
-enum class NeighbourSearch { index_sort, naive };
+enum class WallPressure {
+  mirrored,
+  extrapolated
+};  // of wall particles: the fluid particle's own, or from the fluid around
 
 struct FixedStep {
   double dt = 0;  // s, an upper bound: steps land on frame times, the interval before is divided evenly
@@ -132,18 +151,26 @@ using Compressibility = std::variant<Stiffness, SoundSpeed>;
 
 struct Solver {
   Method method = Method::wcsph;
+  double density_diffusion = 0.1;  // strength delta of the density diffusion of delta_sph
   Kernel kernel;
   Compressibility compressibility;
   int exponent = 7;  // 7: Tait [Hinsch24 ch. 4.4]; 1: linear
   NegativePressure negative_pressure = NegativePressure::clamp;
   WallSlip wall_slip = WallSlip::no_slip;
-  NeighbourSearch neighbour_search = NeighbourSearch::index_sort;
+  WallPressure wall_pressure = WallPressure::mirrored;
   TimeStep time_step;
 };
 
 // ---- timeline -----------------------------------------------------------------------------------------------------
 
-// One change at a time; what is not set stays as it is.
+// Parameters that a timeline can change during a run.
+struct Parameters {
+  Vec3 gravity{0};             // m/s^2
+  double viscosity = 0;        // nu, m^2/s
+  double surface_tension = 0;  // s of [Hinsch24 Alg. 2], m^(d+2)/s^2
+  double stiffness = 0;        // k, Pa
+};
+// One change of them; unset ones stay. settings.h describes each.
 struct Settings {
   std::optional<Vec3> gravity{};
   std::optional<double> viscosity{};        // fluid.viscosity.kinematic
@@ -227,6 +254,8 @@ struct Scene {
   double particle_spacing = 0;  // dx, m
   Fluid fluid;
   std::vector<Wall> walls;
+  std::vector<Axis> periodic;    // particles that leave at one end enter at the other
+  std::optional<Bounds> domain;  // m; along periodic axes, else without meaning
   Solver solver;
   std::vector<TimelineEvent> timeline;
   Camera camera;
@@ -234,7 +263,7 @@ struct Scene {
   Output output;
 };
 
-// ---- what follows from a scene ------------------------------------------------------------------------------------
+// ---- derived quantities -------------------------------------------------------------------------------------------
 
 double smoothing_length(const Scene& scene);            // h, m
 double support_radius(const Scene& scene);              // 2 h for both kernels, m
@@ -243,7 +272,12 @@ int wall_layers(const Scene& scene, const Wall& wall);  // resolves the default
 std::int64_t last_frame(const Scene& scene);            // floor(duration fps): frames are 0 .. last_frame
 double stiffness(const Scene& scene);                   // k, Pa
 double sound_speed(const Scene& scene);                 // c0 = sqrt(exponent k / rho0), m/s
+Parameters initial_parameters(const Scene& scene);
 double max_speed_estimate(const Scene& scene);  // m/s, from initial speeds, gravity and the height it can act over
 bool draws(const Scene& scene);                 // whether any picture is asked for
+bool is_periodic(const Scene& scene, int axis);
+// The period, m: the domain's extent if it is given, else that of fluid volumes and walls' shapes without their layers.
+// Has a meaning along periodic axes only.
+Bounds periodic_extent(const Scene& scene);
 
 }  // namespace weir

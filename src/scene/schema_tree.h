@@ -222,6 +222,11 @@ class MapSchema {
     add(key, with_meaning(std::move(type), meaning));
   }
 
+  template <class T>
+  void option(std::string_view key, std::optional<T>&, std::string_view meaning) {
+    add(key, with_meaning(of<T>([](auto&) {}), meaning));
+  }
+
   void version(std::string_view key, int number) {
     required_.push_back(key);
     add(key, {{"const", number}, {"weir:kind", fmt::format("{}", number)}, {"weir:meaning", "version of the format"}});

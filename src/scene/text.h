@@ -1,4 +1,4 @@
-// What a scene's text must be before anything parses it: UTF-8 without control characters.
+// A scene's text is UTF-8 without control characters; checked before parsing.
 #pragma once
 
 #include <string>

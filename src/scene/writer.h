@@ -74,6 +74,11 @@ class MapWriter {
     group(key, "", [&](auto& sub) { describe(sub, *value); });
   }
 
+  template <class T>
+  void option(std::string_view key, std::optional<T>& value, std::string_view) {
+    if (value) group(key, "", [&](auto& sub) { describe(sub, *value); });
+  }
+
   void version(std::string_view key, int number) { add(key, scalar(fmt::format("{}", number))); }
   void not_built(std::string_view, EmptyForm, std::string_view) {}
 

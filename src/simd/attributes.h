@@ -1,6 +1,6 @@
-// What loops over registers ask of the compiler.
+// Compiler attributes of vectorised loops.
 #pragma once
 
 #define WEIR_INLINE inline __attribute__((always_inline))
-// Every call within is inlined: one in a loop would send registers through memory.
+// Inlines every call within: a call in a loop would spill registers to memory.
 #define WEIR_FLATTEN __attribute__((flatten))

@@ -17,9 +17,9 @@ namespace weir {
 namespace {
 
 #if defined(__x86_64__)
-// movbe, f16c and lzcnt, for which clang 14 has no name. [Intel 64 and IA-32 Architectures Software Developer's Manual,
-// vol. 2A, CPUID]
-bool has_what_builtins_cannot_name() {
+// movbe, f16c and lzcnt, which __builtin_cpu_supports of clang 14 does not know. [Intel 64 and IA-32 Architectures
+// Software Developer's Manual, vol. 2A, CPUID]
+bool has_movbe_f16c_and_lzcnt() {
   constexpr unsigned movbe_and_f16c = 1U << 22 | 1U << 29;  // leaf 1, ECX
   constexpr unsigned lzcnt = 1U << 5;                       // leaf 0x80000001, ECX
   unsigned eax = 0;
@@ -30,12 +30,13 @@ bool has_what_builtins_cannot_name() {
   return __get_cpuid(0x80000001, &eax, &ebx, &ecx, &edx) != 0 && (ecx & lzcnt) == lzcnt;
 }
 
-// All that compilers emit of their own for -march=haswell -maes -mpclmul, and that the operating system saves its registers.
+// All instructions that compilers emit unasked for -march=haswell -maes -mpclmul; includes that the operating system
+// saves the registers.
 bool has_avx2() {
   return __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt") && __builtin_cpu_supports("avx") &&
          __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") &&
          __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("aes") && __builtin_cpu_supports("pclmul") &&
-         has_what_builtins_cannot_name();
+         has_movbe_f16c_and_lzcnt();
 }
 
 // The same for -march=skylake-avx512.

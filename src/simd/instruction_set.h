@@ -1,4 +1,4 @@
-// Which instructions the solver's loops use: chosen when the program runs, from those that it was built with.
+// The instruction set of the solver's loops, chosen at run time among those that the program was built with.
 #pragma once
 
 #include <span>
@@ -6,18 +6,18 @@
 
 namespace weir {
 
-// In the order of preference, the last first. `baseline` runs on every processor of the architecture.
+// In ascending order of preference. `baseline` runs on every processor of the architecture.
 enum class InstructionSet { baseline, avx2, avx512 };
 
 std::string_view name_of(InstructionSet set);
 
-// Those that this program was built with and this processor has.
+// Sets that the program was built with and the processor supports.
 std::span<const InstructionSet> usable_instruction_sets();
 
-// The one named by WEIR_INSTRUCTION_SET, else the last usable one. Throws UsageError for a name that is not usable.
+// The set named by WEIR_INSTRUCTION_SET, else the last usable one. Throws UsageError for a name that is not usable.
 InstructionSet default_instruction_set();
 
-// Throws UsageError, naming those that are usable.
+// Throws UsageError, naming the usable sets.
 InstructionSet instruction_set_by_name(std::string_view name,
                                        std::span<const InstructionSet> usable = usable_instruction_sets());
 

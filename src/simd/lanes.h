@@ -1,7 +1,7 @@
-// A register of floats that the equations take for a number.
+// A register of floats, used as the number type of the equations.
 //
-// Compiled once per instruction set, each time in a namespace of that set's name (WEIR_INSTRUCTION_SET), so that no
-// function of one set is ever taken for another's.
+// Compiled once per instruction set, each time in a namespace of that set's name (WEIR_INSTRUCTION_SET), so that the
+// linker never merges functions of different sets.
 #pragma once
 
 #if !defined(WEIR_INSTRUCTION_SET)

@@ -1,6 +1,6 @@
-// Lanes by Highway, for the instructions that this source is built with. Highway has the few operations beyond arithmetic
-// that the pair engine lives on (a quarter register repeated, compressed stores), which the standard library's
-// experimental::simd lacks.
+// Lanes by Highway, for the instruction set that this source is built with. Highway has the operations beyond
+// arithmetic that the pair engine needs (repeated quarters of a register, compressed stores), which
+// std::experimental::simd lacks.
 #pragma once
 
 #include <hwy/highway.h>
@@ -19,7 +19,8 @@ using IntTag = hn::ScalableTag<std::int32_t>;
 
 constexpr int lanes = HWY_LANES(float);
 
-// In pair loops a register is a table: `rows` rows of one particle i each, `cluster` columns of one neighbour j each.
+// In pair loops a register is a table of pairs: `rows` rows, one particle i each, and `cluster` columns, one neighbour
+// j each.
 constexpr int cluster = 4;
 constexpr int rows = lanes / cluster;
 
@@ -41,14 +42,14 @@ struct Lanes {
   WEIR_INLINE Lanes& operator+=(Lanes b) { return *this = *this + b; }
   WEIR_INLINE Lanes& operator*=(Lanes b) { return *this = *this * b; }
 
-  // By the names of core/math.h.
+  // The functions of core/math.h.
   friend WEIR_INLINE Lanes multiply_add(Lanes a, Lanes b, Lanes c) { return hn::MulAdd(a.v, b.v, c.v); }
   friend WEIR_INLINE Lanes minus_product(Lanes c, Lanes a, Lanes b) { return hn::NegMulAdd(a.v, b.v, c.v); }
   friend WEIR_INLINE Lanes reciprocal_guess(Lanes a) {
     const hn::RebindToSigned<FloatTag> bits;
     return hn::BitCast(FloatTag(), hn::Sub(hn::Set(bits, 0x7EF311C0), hn::BitCast(bits, a.v)));
   }
-  // A register of 16 divides in some 16 cycles, in which it could do 32 products; one of 8 in 5.
+  // A division takes some 16 cycles for 16 lanes, as long as 32 products, and 5 cycles for 8 lanes.
   friend WEIR_INLINE Lanes quotient(Lanes a, Lanes b) {
     if constexpr (lanes == 16) {
       return a * reciprocal_by_products(b);
@@ -65,7 +66,7 @@ struct Lanes {
   friend WEIR_INLINE float greatest(Lanes a) { return hn::GetLane(hn::MaxOfLanes(FloatTag(), a.v)); }
 };
 
-// Some of the lanes.
+// A subset of the lanes.
 struct Mask {
   hn::Mask<FloatTag> m;
 
@@ -76,7 +77,7 @@ struct Mask {
 WEIR_INLINE Mask less(Lanes a, Lanes b) { return {hn::Lt(a.v, b.v)}; }
 WEIR_INLINE Mask at_most(Lanes a, Lanes b) { return {hn::Le(a.v, b.v)}; }
 
-// `lanes` consecutive numbers; `p` need not be aligned. Arrays end in enough slack.
+// `lanes` consecutive numbers; `p` need not be aligned. Arrays are padded by a register.
 WEIR_INLINE Lanes load(const float* p) { return hn::LoadU(FloatTag(), p); }
 WEIR_INLINE void store(Lanes a, float* p) { hn::StoreU(a.v, FloatTag(), p); }
 
@@ -121,8 +122,8 @@ WEIR_INLINE auto fold_rows(Tag all, hn::Vec<Tag> a) {
   }
 }
 
-// The sums over rows of several registers, one cluster after the other; of three, what a fourth cluster gets means
-// nothing. Fewer shuffles than folding each.
+// The sums over rows of several registers, one cluster after the other; of three, the fourth cluster is unspecified.
+// Fewer shuffles than folding each register.
 template <int count>
 WEIR_INLINE auto fold_rows_of(const Lanes* a) {
   static_assert(count == 2 || count == 3);
@@ -194,7 +195,7 @@ WEIR_INLINE auto load_clusters_as(Tag all, const float* p, int stride) {
 }
 WEIR_INLINE Lanes load_clusters(const float* p, int stride) { return load_clusters_as(FloatTag(), p, stride); }
 
-// 0, 1, ... in the lanes of a row, the same in each; and the number of the row in all of its lanes.
+// The number of each lane's column, and of its row.
 WEIR_INLINE Lanes column_numbers() {
   alignas(64) constexpr float number[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
   return load(number);
@@ -204,17 +205,17 @@ WEIR_INLINE Lanes row_numbers() {
   return load(number);
 }
 
-// The lanes among the first n.
+// The first n lanes.
 WEIR_INLINE Mask first(int n) { return {hn::FirstN(FloatTag(), static_cast<std::size_t>(n))}; }
 
-// The lanes whose integers p[0 .. lanes) are not negative.
+// The lanes k with p[k] >= 0.
 WEIR_INLINE Mask not_negative(const std::int32_t* p) {
   return {hn::RebindMask(FloatTag(), hn::Gt(hn::LoadU(IntTag(), p), hn::Set(IntTag(), -1)))};
 }
 WEIR_INLINE Mask both(Mask a, Mask b) { return {hn::And(a.m, b.m)}; }
 
-// Writes start + step k for each lane k of `which`, in order, to `out`, which has room for a whole register. Returns how
-// many.
+// Writes start + step k for each lane k of `which`, in order, to `out`, which has room for a whole register. Returns
+// the number written.
 WEIR_INLINE int store_numbers(Mask which, std::int32_t start, std::int32_t step, std::int32_t* out) {
   const auto numbers = hn::Add(hn::Set(IntTag(), start), hn::Mul(hn::Iota(IntTag(), 0), hn::Set(IntTag(), step)));
   return static_cast<int>(hn::CompressBlendedStore(numbers, hn::RebindMask(IntTag(), which.m), IntTag(), out));

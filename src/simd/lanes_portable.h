@@ -1,6 +1,6 @@
-// Lanes of four by the vector types of GCC and clang, for processors of which nothing more is known: what lanes_highway.h
-// offers, with the same meaning. (Highway's own emulation takes four times as long to compile and to run, and has no SSE2
-// in the version of Debian 12.)
+// Four lanes by the vector types of GCC and clang, for every processor of the architecture. The interface is that of
+// lanes_highway.h. (Highway's own emulation takes four times as long to compile and to run, and its version in Debian
+// 12 has no SSE2.)
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,8 @@
 namespace weir::WEIR_INSTRUCTION_SET {
 
 constexpr int lanes = 4;
-// In pair loops a register is a table: `rows` rows of one particle i each, `cluster` columns of one neighbour j each.
+// In pair loops a register is a table of pairs: `rows` rows, one particle i each, and `cluster` columns, one neighbour
+// j each.
 constexpr int cluster = 4;
 constexpr int rows = lanes / cluster;
 
@@ -34,7 +35,7 @@ struct Lanes {
   WEIR_INLINE Lanes& operator+=(Lanes b) { return *this = *this + b; }
   WEIR_INLINE Lanes& operator*=(Lanes b) { return *this = *this * b; }
 
-  // By the names of core/math.h. Rounded twice, as there is no instruction for less.
+  // The functions of core/math.h. multiply_add rounds twice: the baseline has no fused instruction.
   friend WEIR_INLINE Lanes multiply_add(Lanes a, Lanes b, Lanes c) { return a.v * b.v + c.v; }
   friend WEIR_INLINE Lanes minus_product(Lanes c, Lanes a, Lanes b) { return c.v - a.v * b.v; }
   friend WEIR_INLINE Lanes quotient(Lanes a, Lanes b) { return a / b; }
@@ -53,7 +54,7 @@ struct Lanes {
   friend WEIR_INLINE float greatest(Lanes a) { return -least(-a); }
 };
 
-// Some of the lanes.
+// A subset of the lanes.
 struct Mask {
   typedef std::int32_t Bits __attribute__((vector_size(16)));  // NOLINT(modernize-use-using)
   Bits m;
@@ -66,7 +67,7 @@ WEIR_INLINE Mask less(Lanes a, Lanes b) { return {a.v < b.v}; }
 WEIR_INLINE Mask at_most(Lanes a, Lanes b) { return {a.v <= b.v}; }
 WEIR_INLINE Mask both(Mask a, Mask b) { return {a.m & b.m}; }
 
-// `lanes` consecutive numbers; `p` need not be aligned. Arrays end in enough slack.
+// `lanes` consecutive numbers; `p` need not be aligned. Arrays are padded by a register.
 WEIR_INLINE Lanes load(const float* p) {
   Lanes::Register r;
   std::memcpy(&r, p, sizeof r);
@@ -93,22 +94,22 @@ WEIR_INLINE void add_rows(Lanes a, float* p) { *p += (a.v[0] + a.v[1]) + (a.v[2]
 // Row k is p[stride k + 0 .. cluster).
 WEIR_INLINE Lanes load_clusters(const float* p, int) { return load(p); }
 
-// 0, 1, ... in the lanes of a row, the same in each; and the number of the row in all of its lanes.
+// The number of each lane's column, and of its row.
 WEIR_INLINE Lanes column_numbers() { return Lanes::Register{0, 1, 2, 3}; }
 WEIR_INLINE Lanes row_numbers() { return {}; }
 
-// The lanes among the first n.
+// The first n lanes.
 WEIR_INLINE Mask first(int n) { return {Mask::Bits{0, 1, 2, 3} < n}; }
 
-// The lanes whose integers p[0 .. lanes) are not negative.
+// The lanes k with p[k] >= 0.
 WEIR_INLINE Mask not_negative(const std::int32_t* p) {
   Mask::Bits numbers;
   std::memcpy(&numbers, p, sizeof numbers);
   return {numbers >= 0};
 }
 
-// Writes start + step k for each lane k of `which`, in order, to `out`, which has room for a whole register. Returns how
-// many.
+// Writes start + step k for each lane k of `which`, in order, to `out`, which has room for a whole register. Returns
+// the number written.
 WEIR_INLINE int store_numbers(Mask which, std::int32_t start, std::int32_t step, std::int32_t* out) {
   int count = 0;
   for (int k = 0; k < lanes; ++k) {

@@ -37,8 +37,7 @@ double Clock::next_landing() const {
   return event == landings_.end() ? frame : std::min(*event, frame);
 }
 
-double Clock::fitted_step(double limit) const {
-  const double way = next_landing() - time_;
+double fitted_step(double limit, double way) {
   const double steps = std::max(1.0, std::ceil(way / limit - whole_steps_tolerance));
   return way / steps;
 }

@@ -9,6 +9,9 @@
 
 namespace weir {
 
+// The longest step that is at most `limit` (s) and divides the way to the next landing (s) evenly: no sliver is left.
+double fitted_step(double limit, double way);
+
 class Clock {
  public:
   explicit Clock(const Scene& scene);
@@ -18,8 +21,7 @@ class Clock {
   std::int64_t frame_index() const { return frame_; }  // k if time() is exactly k / fps, else -1
   double next_landing() const;                         // s; the first after time()
 
-  // The longest step that is at most `limit` (s) and divides the way to the next landing evenly: no sliver is left.
-  double fitted_step(double limit) const;
+  double way() const { return next_landing() - time_; }  // s, to the next landing
 
   // Moves on by a step from fitted_step(); lands exactly.
   void advance(double dt);

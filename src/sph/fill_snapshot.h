@@ -12,7 +12,7 @@
 #include "core/thread_pool.h"
 #include "core/types.h"
 #include "frame/snapshot.h"
-#include "sph/particles.h"
+#include "sph/solver.h"
 
 namespace weir {
 
@@ -47,14 +47,14 @@ class OccupiedSlots {
 };
 
 template <int Dim>
-void fill_positions(const Positions<Dim>& positions, const OccupiedSlots<Dim>& occupied, Precision precision,
-                    SetSnapshot& set) {
+void fill_positions(const Positions<Dim>& positions, const TileLattice<Dim>& lattice,
+                    const OccupiedSlots<Dim>& occupied, Precision precision, SetSnapshot& set) {
   set.count = occupied.count();
   set.positions.resize(precision == Precision::single ? set.count : 0);
   set.exact_positions.resize(precision == Precision::exact ? set.count : 0);
   const auto fill = [&](auto& filled) {
     occupied.for_each([&](std::size_t particle, std::size_t slot) {
-      const Vec<Dim, double> x = positions.position(slot);
+      const Vec<Dim, double> x = lattice.in_domain(positions.position(slot));
       glm::dvec3 at(0);
       for (int d = 0; d < Dim; ++d) at[d] = x[d];
       filled[particle] = at;
@@ -65,24 +65,23 @@ void fill_positions(const Positions<Dim>& positions, const OccupiedSlots<Dim>& o
 }
 
 // The solver's values that fields are computed from.
-template <int Dim, class PressureAt>
+template <int Dim>
 struct FieldSources {
-  const FluidParticles<Dim>& fluid;
-  const PressureAt& pressure_at;              // Pa, of a slot
+  const SphSolver<Dim>& solver;
   std::span<const std::int32_t> volume_ends;  // of each fluid volume, one more than its last particle's id
 };
 
 // The values of a field as numbers of type T; memory that they have is used again.
 template <class T>
-std::vector<T>& values_of(Field& field, std::size_t count) {
+std::vector<T>& values_of(FieldValues& field, std::size_t count) {
   if (!std::holds_alternative<std::vector<T>>(field.values)) field.values = std::vector<T>();
   auto& values = std::get<std::vector<T>>(field.values);
   values.resize(count);
   return values;
 }
 
-template <int Dim, class PressureAt>
-void fill_field(const FieldSources<Dim, PressureAt>& from, const OccupiedSlots<Dim>& occupied, Field& field) {
+template <int Dim>
+void fill_field(const FieldSources<Dim>& from, const OccupiedSlots<Dim>& occupied, FieldValues& field) {
   const auto fill = [&](auto& values, const auto& value_at) {
     occupied.for_each([&](std::size_t particle, std::size_t slot) { values[particle] = value_at(slot); });
   };
@@ -91,36 +90,37 @@ void fill_field(const FieldSources<Dim, PressureAt>& from, const OccupiedSlots<D
   switch (field.quantity) {
     case Quantity::speed:
       return reals([&](std::size_t slot) {
-        const Vec<Dim> v = from.fluid.velocity_of(slot);
+        const Vec<Dim> v = from.solver.fluid().vector_at(from.solver.velocity(), slot);
         return std::sqrt(dot(v, v));
       });
     case Quantity::density:
-      return reals([&](std::size_t slot) { return from.fluid.density[slot]; });
+      return reals([&](std::size_t slot) { return from.solver.density().at(slot); });
     case Quantity::pressure:
-      return reals([&](std::size_t slot) { return static_cast<float>(from.pressure_at(slot)); });
+      return reals([&](std::size_t slot) { return static_cast<float>(from.solver.pressure_at(slot)); });
     case Quantity::velocity: {
       auto& values = values_of<float>(field, Dim * occupied.count());
       return occupied.for_each([&](std::size_t particle, std::size_t slot) {
-        const Vec<Dim> v = from.fluid.velocity_of(slot);
+        const Vec<Dim> v = from.solver.fluid().vector_at(from.solver.velocity(), slot);
         for (int d = 0; d < Dim; ++d) values[Dim * particle + static_cast<std::size_t>(d)] = v[d];
       });
     }
     case Quantity::id:
-      return integers([&](std::size_t slot) { return from.fluid.id[slot]; });
+      return integers([&](std::size_t slot) { return from.solver.fluid().id[slot]; });
     case Quantity::volume:
       return integers([&](std::size_t slot) {
-        const auto end = std::upper_bound(from.volume_ends.begin(), from.volume_ends.end(), from.fluid.id[slot]);
+        const auto end =
+            std::upper_bound(from.volume_ends.begin(), from.volume_ends.end(), from.solver.fluid().id[slot]);
         return static_cast<std::int32_t>(end - from.volume_ends.begin());
       });
   }
 }
 
 // Fluid as the request asks for it.
-template <int Dim, class PressureAt>
-void fill_fluid(const FieldSources<Dim, PressureAt>& from, const SnapshotRequest& request, ThreadPool& pool,
-                SetSnapshot& set) {
-  const OccupiedSlots<Dim> occupied(from.fluid, pool);
-  fill_positions(from.fluid, occupied, request.fluid_positions, set);
+template <int Dim>
+void fill_fluid(const FieldSources<Dim>& from, const SnapshotRequest& request, ThreadPool& pool, SetSnapshot& set) {
+  const ParticleSet<Dim>& fluid = from.solver.fluid();
+  const OccupiedSlots<Dim> occupied(fluid, pool);
+  fill_positions(fluid, from.solver.search().lattice(), occupied, request.fluid_positions, set);
   set.fields.resize(request.fluid.size());
   for (std::size_t k = 0; k < set.fields.size(); ++k) {
     set.fields[k].quantity = request.fluid[k];
@@ -129,14 +129,13 @@ void fill_fluid(const FieldSources<Dim, PressureAt>& from, const SnapshotRequest
   }
 }
 
-// Walls have no state: positions alone.
 template <int Dim>
-void fill_walls(const WallParticles<Dim>& walls, Precision precision, ThreadPool& pool, SetSnapshot& set) {
+void fill_walls(const SphSolver<Dim>& solver, Precision precision, ThreadPool& pool, SetSnapshot& set) {
   if (precision == Precision::none) {
     set = {};
     return;
   }
-  fill_positions(walls, OccupiedSlots<Dim>(walls, pool), precision, set);
+  fill_positions(solver.walls(), solver.search().lattice(), OccupiedSlots<Dim>(solver.walls(), pool), precision, set);
 }
 
 }  // namespace weir

@@ -1,4 +1,4 @@
-// Who is near whom, in clusters, and what code that is built per instruction set sees of it: bare pointers.
+// Verlet lists of pairs of clusters, and what code that is built per instruction set sees of them: bare pointers.
 #pragma once
 
 #include <cstdint>
@@ -9,19 +9,19 @@
 
 namespace weir {
 
-// Lists of one tile, in integers, for rows of particles: as many as an instruction set takes at once (1, 2 or 4), each
-// row of slots beginning at a multiple of that.
+// The lists of one ordered pair of sets, per tile of the target, in integers, for i-clusters: as many particles as an
+// instruction set takes at once (1, 2 or 4), each i-cluster beginning at a multiple of that.
 //
-//   fluid:  for each row   n, then n clusters of the own tile that begin after the row's own cluster,
-//                          segments, 0
-//   walls:  for each row that has any   its first slot, segments, 0;  then -1
-//   segment:  count << 5 | code of the tile beside, then count clusters there (the wall's own tile is one, too)
+//   a set with itself:   for each i-cluster   n, then n j-clusters of the own tile that begin after the i-cluster's own,
+//                                             segments, 0
+//   one set and another: for each i-cluster that has any   its first slot, segments, 0;  then -1
+//   segment:  count << 5 | code of the source's tile, then count j-clusters there (between sets the own tile is one, too)
 //
-// A cluster is named by its first slot. Two particles of the own tile are thus listed once, particles of different tiles
-// from both sides: a tile writes only its own particles, and which thread does it changes no bit.
+// A j-cluster is named by its first slot. Two particles of one tile of one set are thus listed once, others from both
+// sides: a tile writes only its own particles, and which thread does it changes no bit.
 struct PairLists {
-  std::vector<IntBuffer> fluid;  // per tile of the fluid
-  std::vector<IntBuffer> walls;
+  std::vector<IntBuffer> listed;  // within the support and the skin
+  std::vector<IntBuffer> pruned;  // what a pruning loop leaves of them: within the support as the particles stand
 };
 
 constexpr int segment_code_bits = 5;
@@ -32,6 +32,11 @@ struct DisplacementBox {
   Vec<Dim> least{};
   Vec<Dim> greatest{};
 
+  DisplacementBox& operator+=(const DisplacementBox& b) {
+    least += b.least;
+    greatest += b.greatest;
+    return *this;
+  }
   friend DisplacementBox operator-(const DisplacementBox& a, const DisplacementBox& b) {
     return {a.least - b.least, a.greatest - b.greatest};
   }
@@ -41,41 +46,38 @@ struct DisplacementBox {
 template <int Dim>
 struct TilesView {
   const Tile* tiles = nullptr;
-  std::int32_t tile_count = 0;
   const float* x[Dim] = {};
   const float* low[Dim] = {};  // of clusters
   const float* high[Dim] = {};
-  const std::int32_t* columns = nullptr;  // of all tiles
-  const TileCoordinates<Dim>* coordinates = nullptr;
+  const std::int32_t* columns = nullptr;        // of all tiles
   const DisplacementBox<Dim>* moved = nullptr;  // of tiles, since they were sorted into columns; null: not at all
-  const std::int32_t* adjacent = nullptr;       // tile_codes per tile of the fluid: the tile of this set there, or -1
 };
 
-// What lists are made from.
+// What the lists of one ordered pair of sets are made from.
 template <int Dim>
 struct ListInput {
-  TilesView<Dim> fluid;
-  TilesView<Dim> walls;
-  float reach = 0;  // m, support radius and skin
-  float edge = 0;   // m, of a tile
+  TilesView<Dim> target;
+  TilesView<Dim> source;
+  const std::int32_t* adjacent = nullptr;  // tile_codes per tile of the target: the tile of the source there, or -1
+  float reach = 0;                         // m, support radius and skin
+  float edge[Dim] = {};                    // m, of a tile
   std::int32_t columns = 0;
-  bool all_pairs = false;  // the naive search: look at every cluster instead of those that the order shows to be near
 };
 
 // Sums of pairs stand cluster by cluster, a cluster's components side by side: what a pair adds to four particles is one
 // place in memory. So many floats a particle.
 template <int components>
-constexpr int sum_width = components == 3 ? 4 : components;
+constexpr int sum_width = components <= 2 ? components : (components + 3) / 4 * 4;
 
-// What pair loops read.
+// What loops over pairs read, of one ordered pair of sets.
 template <int Dim>
 struct PairInput {
-  const Tile* tiles = nullptr;
-  const float* x[Dim] = {};
-  const float* wall_x[Dim] = {};
-  const IntBuffer* fluid_lists = nullptr;
-  const IntBuffer* wall_lists = nullptr;
-  float edge = 0;  // m, of a tile
+  const Tile* tiles = nullptr;  // of the target
+  const float* x[Dim] = {};     // of the target
+  const float* source_x[Dim] = {};
+  const IntBuffer* listed = nullptr;  // per tile
+  IntBuffer* pruned = nullptr;
+  float edge[Dim] = {};  // m, of a tile
 };
 
 }  // namespace weir

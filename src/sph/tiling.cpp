@@ -15,8 +15,8 @@ namespace {
 // Slots that are looked at as one when particles are assigned to tiles; a whole number of groups.
 constexpr std::size_t chunk_size = 4096;
 
-constexpr int coordinate_bits = 21;
-constexpr std::int32_t coordinate_limit = 1 << (coordinate_bits - 1);
+constexpr int coordinate_bits = tile_coordinate_bits;
+constexpr std::int32_t coordinate_limit = tile_coordinate_limit;
 
 template <int Dim>
 std::uint64_t key_of(const TileCoordinates<Dim>& tile) {
@@ -34,46 +34,7 @@ TileCoordinates<Dim> tile_of(std::uint64_t key) {
   return tile;
 }
 
-// The nearest number of at most 12 significant bits that is not smaller.
-double with_few_digits(double value) {
-  int exponent = 0;
-  const double fraction = std::frexp(value, &exponent);
-  return std::ldexp(std::ceil(std::ldexp(fraction, 12)), exponent - 12);
-}
-
 }  // namespace
-
-template <int Dim>
-TileLattice<Dim>::TileLattice(double particle_spacing, double reach, std::size_t particles) {
-  // Large enough that few pairs lie between tiles, small enough that there are many to share among threads.
-  constexpr std::size_t few = Dim == 2 ? 12'000 : 50'000;
-  const double spacings_per_tile = (Dim == 2 ? 32 : 16) / (particles < few ? 2 : 1);
-  const double wanted = std::max(spacings_per_tile * particle_spacing, reach);
-  edge_ = with_few_digits(wanted);
-  columns_ = std::max(1, static_cast<std::int32_t>(std::lround(edge_ / (2 * particle_spacing))));
-  layers_ = 4 * columns_;
-}
-
-template <int Dim>
-TileCoordinates<Dim> TileLattice<Dim>::tile_at(const Vec<Dim, double>& point) const {
-  TileCoordinates<Dim> tile;
-  for (int d = 0; d < Dim; ++d) {
-    const double number = std::floor(point[d] / edge_);
-    if (!(std::abs(number) < coordinate_limit)) {  // written so that no number is caught, too
-      throw std::range_error(
-          "a particle has flown too far to be sorted (more than 2^20 tiles of space from the origin)");
-    }
-    tile[d] = static_cast<std::int32_t>(number);
-  }
-  return tile;
-}
-
-template <int Dim>
-Vec<Dim, double> TileLattice<Dim>::center(const TileCoordinates<Dim>& tile) const {
-  Vec<Dim, double> at{};
-  for (int d = 0; d < Dim; ++d) at[d] = (tile[d] + 0.5) * edge_;
-  return at;
-}
 
 template <int Dim>
 std::int32_t Tiling<Dim>::find(const TileCoordinates<Dim>& coordinates) const {
@@ -95,11 +56,18 @@ std::vector<std::int32_t> Tiling<Dim>::adjacent(const Tiling& around, ThreadPool
         TileCoordinates<Dim> at = around.coordinates_[tile];
         const TileCoordinates<Dim> offset = offset_of_code<Dim>(code);
         for (int d = 0; d < Dim; ++d) at[d] += offset[d];
-        found[tile * codes + static_cast<std::size_t>(code)] = find(at);
+        found[tile * codes + static_cast<std::size_t>(code)] = find(lattice_.wrapped(at));
       }
     }
   });
   return found;
+}
+
+template <int Dim>
+Vec<Dim> Tiling<Dim>::half_edges() const {
+  Vec<Dim> half{};
+  for (int d = 0; d < Dim; ++d) half[d] = static_cast<float>(0.5 * lattice_.edge(d));
+  return half;
 }
 
 template <int Dim>
@@ -112,10 +80,10 @@ void Tiling<Dim>::find_runs(const Positions<Dim>& positions, std::size_t begin, 
     runs.back().count += count;
     expected = here + count;
   };
-  const auto half = static_cast<float>(0.5 * lattice_.edge());
+  const Vec<Dim> half = half_edges();
   const auto inside = [&](std::size_t slot) {
     bool is = true;
-    for (int d = 0; d < Dim; ++d) is &= positions.x[d][slot] >= -half && positions.x[d][slot] < half;
+    for (int d = 0; d < Dim; ++d) is &= positions.x[d][slot] >= -half[d] && positions.x[d][slot] < half[d];
     return is;
   };
   for (std::size_t group = begin; group < end; group += group_size) {
@@ -168,6 +136,9 @@ void Tiling<Dim>::sort(Positions<Dim>& positions, ThreadPool& pool) {
   order_.resize(slots);
   columns_.resize(tiles_.size() * static_cast<std::size_t>(lattice_.columns_of_tile() + 1));
   spare_.resize(slots);
+  for (int d = 0; d < Dim; ++d) {
+    if (lattice_.periodic().along(d)) spare_.rounds[d].resize(slots);
+  }
   for (int d = 0; d < Dim; ++d) {
     low_[d].resize(slots / cluster_size + group_size);
     high_[d].resize(slots / cluster_size + group_size);
@@ -251,19 +222,20 @@ void Tiling<Dim>::sort_tile(const Positions<Dim>& positions, std::size_t tile) {
   const std::int32_t layers = lattice_.layers();
   const std::int32_t cells = lattice_.columns_of_tile() * layers;
   const Vec<Dim, double> center = lattice_.center(coordinates_[tile]);
-  const auto half = static_cast<float>(0.5 * lattice_.edge());
-  const auto number = [half](float from_center, std::int32_t parts) {
-    const auto part = static_cast<std::int32_t>((from_center + half) / (2 * half) * static_cast<float>(parts));
+  const Vec<Dim> half = half_edges();
+  const auto number = [&](const Vec<Dim>& from_center, int d, std::int32_t parts) {
+    const float share = (from_center[d] + half[d]) / (2 * half[d]);
+    const auto part = static_cast<std::int32_t>(share * static_cast<float>(parts));
     return std::clamp(part, 0, parts - 1);
   };
   // Every second column runs down, every second row of columns back.
   const auto cell_at = [&](const Vec<Dim>& from_center) {
-    std::int32_t column = number(from_center[0], columns);
+    std::int32_t column = number(from_center, 0, columns);
     if constexpr (Dim == 3) {
-      const std::int32_t along = number(from_center[1], columns);
+      const std::int32_t along = number(from_center, 1, columns);
       column = column * columns + (column % 2 == 0 ? along : columns - 1 - along);
     }
-    const std::int32_t layer = number(from_center[Dim - 1], layers);
+    const std::int32_t layer = number(from_center, Dim - 1, layers);
     return column * layers + (column % 2 == 0 ? layer : layers - 1 - layer);
   };
   const Tile slots = tiles_[tile];
@@ -271,21 +243,33 @@ void Tiling<Dim>::sort_tile(const Positions<Dim>& positions, std::size_t tile) {
   thread_local std::vector<std::int32_t> cell_of;
   next_in_cell.assign(static_cast<std::size_t>(cells) + 1, 0);
   cell_of.resize(static_cast<std::size_t>(slots.end - slots.begin));
-  const auto is_new = [&](const Run& run) {  // its places count from another tile's centre
+  const auto is_new = [&](const Run& run) {  // its positions count from another tile's centre
     const Vec<Dim, double>& from = positions.center[static_cast<std::size_t>(run.first) / group_size];
     for (int d = 0; d < Dim; ++d) {
       if (from[d] != center[d]) return true;
     }
     return false;
   };
+  // Where a tile is its own neighbour, a particle may leave it and come in again on the other side.
+  const bool periodic = lattice_.periodic().any();
+  const auto outside = [&](std::size_t slot) {
+    bool is = false;
+    for (int d = 0; d < Dim; ++d) is |= !(positions.x[d][slot] >= -half[d] && positions.x[d][slot] < half[d]);
+    return is;
+  };
   std::size_t particle = 0;
   for (std::size_t r = first_run_[tile]; r < first_run_[tile + 1]; ++r) {
-    const bool shifted = is_new(runs_[r]);
+    const bool run_is_new = is_new(runs_[r]);
     for (std::int32_t k = 0; k < runs_[r].count; ++k) {
       const auto slot = static_cast<std::size_t>(runs_[r].first + k);
+      const bool shifted = run_is_new || (periodic && outside(slot));
       Vec<Dim> from_center{};
       for (int d = 0; d < Dim; ++d) from_center[d] = positions.x[d][slot];
-      if (shifted) from_center = convert<float>(positions.position(slot) - center);
+      if (shifted) {
+        Vec<Dim, double> exact = positions.position(slot) - center;
+        lattice_.to_nearest_image(exact);
+        from_center = convert<float>(exact);
+      }
       const std::int32_t cell = cell_at(from_center);
       cell_of[particle++] = cell;
       ++next_in_cell[static_cast<std::size_t>(cell) + 1];
@@ -303,8 +287,9 @@ void Tiling<Dim>::sort_tile(const Positions<Dim>& positions, std::size_t tile) {
   shifted_slots.clear();
   particle = 0;
   for (std::size_t r = first_run_[tile]; r < first_run_[tile + 1]; ++r) {
-    const bool shifted = is_new(runs_[r]);
+    const bool run_is_new = is_new(runs_[r]);
     for (std::int32_t k = 0; k < runs_[r].count; ++k) {
+      const bool shifted = run_is_new || (periodic && outside(static_cast<std::size_t>(runs_[r].first + k)));
       const auto to = static_cast<std::size_t>(next_in_cell[static_cast<std::size_t>(cell_of[particle++])]++);
       order_[to] = runs_[r].first + k;
       if (shifted) shifted_slots.push_back(to);
@@ -318,13 +303,26 @@ void Tiling<Dim>::sort_tile(const Positions<Dim>& positions, std::size_t tile) {
   for (int d = 0; d < Dim; ++d) {
     for (std::size_t slot = begin; slot < end; ++slot) {
       spare_.x[d][slot] = positions.x[d][static_cast<std::size_t>(order_[slot])];
-      spare_.rest[d][slot] = positions.rest[d][static_cast<std::size_t>(order_[slot])];
+      spare_.compensation[d][slot] = positions.compensation[d][static_cast<std::size_t>(order_[slot])];
     }
   }
   for (std::size_t slot = begin; slot < end; ++slot)
     spare_.id[slot] = positions.id[static_cast<std::size_t>(order_[slot])];
-  for (const std::size_t slot : shifted_slots)
-    spare_.place(slot, positions.position(static_cast<std::size_t>(order_[slot])));
+  for (int d = 0; d < Dim; ++d) {
+    if (!lattice_.periodic().along(d)) continue;
+    for (std::size_t slot = begin; slot < end; ++slot) {
+      const auto from = static_cast<std::size_t>(order_[slot]);
+      spare_.rounds[d][slot] = positions.rounds[d].empty() ? 0 : positions.rounds[d][from];
+    }
+  }
+  for (const std::size_t slot : shifted_slots) {
+    Vec<Dim, double> from_center = positions.position(static_cast<std::size_t>(order_[slot])) - center;
+    const std::array<std::int32_t, Dim> rounds = lattice_.to_nearest_image(from_center);
+    spare_.set_from_center(slot, from_center);
+    for (int d = 0; d < Dim; ++d) {
+      if (lattice_.periodic().along(d)) spare_.rounds[d][slot] += rounds[d];
+    }
+  }
   for (std::size_t slot = end; slot < end_of_groups; ++slot) {
     spare_.clear(slot);
     order_[slot] = -1;
@@ -348,8 +346,6 @@ void Tiling<Dim>::bound_clusters(const Positions<Dim>& positions, std::size_t ti
   }
 }
 
-template class TileLattice<2>;
-template class TileLattice<3>;
 template class Tiling<2>;
 template class Tiling<3>;
 

@@ -14,56 +14,15 @@
 #include "core/thread_pool.h"
 #include "core/types.h"
 #include "sph/positions.h"
+#include "sph/tile_lattice.h"
 
 namespace weir {
-
-template <int Dim>
-using TileCoordinates = std::array<std::int32_t, Dim>;
-
-// Which tile a point lies in.
-template <int Dim>
-class TileLattice {
- public:
-  // Tiles are at least `reach` (m) wide, so that only adjacent ones hold neighbours; and narrower for few particles, so
-  // that there are tiles enough to share among threads.
-  TileLattice(double particle_spacing, double reach, std::size_t particles);
-
-  // A float with few digits, so that places are shifted from tile to tile without rounding.
-  double edge() const { return edge_; }
-  // Columns along each axis but the last, about two spacings wide.
-  std::int32_t columns() const { return columns_; }
-  // Layers that a column is sorted into, about half a spacing high.
-  std::int32_t layers() const { return layers_; }
-  std::int32_t columns_of_tile() const { return Dim == 2 ? columns_ : columns_ * columns_; }
-
-  // Throws std::range_error for a point farther than 2^20 tiles from the origin, or nowhere.
-  TileCoordinates<Dim> tile_at(const Vec<Dim, double>& point) const;
-  Vec<Dim, double> center(const TileCoordinates<Dim>& tile) const;
-
- private:
-  double edge_;
-  std::int32_t columns_;
-  std::int32_t layers_;
-};
 
 // Slots [begin, end) hold the tile's particles; the next tile begins at a whole group.
 struct Tile {
   std::int32_t begin = 0;
   std::int32_t end = 0;
 };
-
-// The tiles around one, itself in the middle: codes count the last axis fastest.
-template <int Dim>
-constexpr int tile_codes = Dim == 2 ? 9 : 27;
-template <int Dim>
-constexpr int own_tile_code = tile_codes<Dim> / 2;
-// -1, 0 or 1 along each axis.
-template <int Dim>
-constexpr TileCoordinates<Dim> offset_of_code(int code) {
-  TileCoordinates<Dim> offset{};
-  for (int d = Dim - 1; d >= 0; --d, code /= 3) offset[d] = code % 3 - 1;
-  return offset;
-}
 
 template <int Dim>
 class Tiling {
@@ -114,6 +73,7 @@ class Tiling {
   void find_runs(const Positions<Dim>& positions, std::size_t begin, std::size_t end, const std::uint64_t* key_here,
                  std::vector<Run>& runs) const;
   void make_directory(std::vector<std::vector<Run>>& runs_of_chunks, ThreadPool& pool);
+  Vec<Dim> half_edges() const;  // m, of a tile
   void sort_tile(const Positions<Dim>& positions, std::size_t tile);
 
   TileLattice<Dim> lattice_;
@@ -129,8 +89,6 @@ class Tiling {
   Positions<Dim> spare_;                // where the sorted places are made
 };
 
-extern template class TileLattice<2>;
-extern template class TileLattice<3>;
 extern template class Tiling<2>;
 extern template class Tiling<3>;
 

@@ -7,23 +7,24 @@
 
 namespace weir {
 
+// What a timeline may change during a run.
+struct Controls {
+  Vec3 gravity{0};             // m/s^2
+  double viscosity = 0;        // m^2/s
+  double surface_tension = 0;  // m^(d+2)/s^2
+  double stiffness = 0;        // Pa
+};
+
 // Follows the scene's events in their order. Settings start from the scene's own values.
 class Timeline {
  public:
   explicit Timeline(const Scene& scene);
 
-  struct State {
-    Vec3 gravity{0};             // m/s^2
-    double viscosity = 0;        // m^2/s
-    double surface_tension = 0;  // m^(d+2)/s^2
-    double stiffness = 0;        // Pa
-  };
-
   // Brings everything up to run time `time` (s, never decreasing). Returns whether an event asked for a reset since the
   // last call.
   bool advance_to(double time);
 
-  const State& state() const { return state_; }
+  const Controls& state() const { return state_; }
   bool paused() const { return paused_; }
 
  private:
@@ -31,7 +32,7 @@ class Timeline {
 
   const Scene* scene_;
   std::size_t next_ = 0;
-  State state_;
+  Controls state_;
   bool paused_ = false;
 
   // A change under way, one per setting: from its value at the start to the one asked for.

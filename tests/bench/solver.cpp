@@ -14,7 +14,7 @@
 #include "scene/sampling.h"
 #include "simd/instruction_set.h"
 #include "sph/simulation.h"
-#include "sph/wcsph.h"
+#include "sph/solver.h"
 
 namespace weir {
 namespace {
@@ -23,24 +23,26 @@ namespace {
 template <int Dim>
 struct Flow {
   Flow(std::int64_t particles, InstructionSet set, int threads)
-      : pool(threads), scene(speed_scene(Dim, particles)), sampling(sample(scene)), solver(scene, sampling, pool, set) {
+      : pool(threads),
+        scene(speed_scene(Dim, particles)),
+        sampling(sample(scene)),
+        owned(make_solver<Dim>(scene, sampling, pool, set)) {
     for (int k = 0; k < 20; ++k) step();
-    solver.find_neighbours();
-    solver.compute_density_and_pressure();
-    solver.compute_accelerations();
+    solver.refresh();
+    solver.accelerate();
   }
   void step() {
-    solver.find_neighbours();
-    solver.compute_density_and_pressure();
-    solver.compute_accelerations();
-    solver.integrate(dt());
+    solver.refresh();
+    solver.accelerate();
+    solver.move(dt());
   }
   double dt() const { return 0.2 * solver.smoothing_length() / sound_speed(scene); }
 
   ThreadPool pool;
   Scene scene;
   Sampling sampling;
-  Wcsph<Dim> solver;
+  std::unique_ptr<SphSolver<Dim>> owned;
+  SphSolver<Dim>& solver = *owned;
 };
 
 enum class Stage { sort_and_list, density, acceleration, integrate, step };
@@ -51,16 +53,17 @@ void run_stage(benchmark::State& state, Stage stage, std::int64_t particles, Ins
   for (auto _ : state) {
     switch (stage) {
       case Stage::sort_and_list:
-        flow.solver.relist();
+        flow.solver.search().expire();
+        flow.solver.search().update();
         break;
       case Stage::density:
-        flow.solver.compute_density_and_pressure();
+        flow.solver.recompute();
         break;
       case Stage::acceleration:
-        flow.solver.compute_accelerations();
+        flow.solver.accelerate();
         break;
       case Stage::integrate:
-        flow.solver.integrate(1e-9 * flow.dt());  // hardly moves, so that every repetition finds the same
+        flow.solver.move(1e-9 * flow.dt());  // hardly moves, so that every repetition finds the same
         break;
       case Stage::step:
         flow.step();

@@ -1,4 +1,4 @@
-// check, batch, info, schema, help and what is not built yet.
+// check, batch, info, schema, help and reserved options.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -32,7 +32,7 @@ class Commands : public testing::Test {
   fs::path scene_ = temporary_ / "small.yaml";
 };
 
-TEST_F(Commands, CheckTellsWhatASceneCosts) {
+TEST_F(Commands, CheckPrintsTheCostOfAScene) {
   const Outcome outcome = weir_program({"check", scene_.string()});
   ASSERT_EQ(outcome.exit, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("particles  100 fluid, "));
@@ -43,14 +43,14 @@ TEST_F(Commands, CheckTellsWhatASceneCosts) {
   EXPECT_FALSE(fs::exists("out/small"));
 }
 
-TEST_F(Commands, CheckTellsEveryMistakeOfEveryScene) {
+TEST_F(Commands, CheckReportsEveryMistakeOfEveryScene) {
   const fs::path wrong = temporary_ / "wrong.yaml";
   put_file(wrong, small_scene_text + "first: 1\nsecond: 2\n");
   const Outcome outcome = weir_program({"check", wrong.string(), scene_.string()});
   EXPECT_EQ(outcome.exit, 2);
   EXPECT_THAT(outcome.err, HasSubstr(wrong.string() + ":12:1: error: "));
   EXPECT_THAT(outcome.err, HasSubstr(wrong.string() + ":13:1: error: "));
-  EXPECT_THAT(outcome.out, StartsWith(scene_.string() + ": the scene is right"));
+  EXPECT_THAT(outcome.out, StartsWith(scene_.string() + ": the scene is valid"));
 }
 
 TEST_F(Commands, CheckPrintsTheEffectiveScene) {
@@ -63,7 +63,7 @@ TEST_F(Commands, CheckPrintsTheEffectiveScene) {
   EXPECT_EQ(weir_program({"check", printed.string(), "--print"}).out, outcome.out);
 }
 
-TEST_F(Commands, BatchRunsEverySceneThoughOneIsWrong) {
+TEST_F(Commands, BatchRunsEverySceneThoughOneIsInvalid) {
   const fs::path wrong = temporary_ / "wrong.yaml";
   const fs::path other = temporary_ / "other.yaml";
   put_file(wrong, small_scene_text + "colour: red\n");
@@ -106,7 +106,7 @@ TEST_F(Commands, BatchRefusesTwoScenesOfOneName) {
   EXPECT_FALSE(fs::exists(temporary_ / "out"));
 }
 
-TEST_F(Commands, BatchCallsFoldersAsTheScenesAreCalled) {
+TEST_F(Commands, BatchNamesFoldersAfterScenes) {
   const fs::path twin = temporary_ / "twin" / "small.yaml";
   put_file(twin, small_scene_text + "name: twin_2\n");
   const fs::path out = temporary_ / "out";
@@ -136,7 +136,7 @@ TEST_F(Commands, BatchPassesASignalOn) {
   EXPECT_THAT(outcome.out, ContainsRegex("never +- +- +- +-\n"));
 }
 
-TEST_F(Commands, InfoTellsDevicesAndEncoders) {
+TEST_F(Commands, InfoListsDevicesAndEncoders) {
   const Outcome outcome = weir_program({"info", "--json"});
   ASSERT_EQ(outcome.exit, 0) << outcome.err;
   const auto facts = nlohmann::json::parse(outcome.out);
@@ -190,7 +190,7 @@ TEST_F(Commands, RefuseAWrongCommandLine) {
   }
 }
 
-TEST_F(Commands, RefuseWhatIsNotBuiltByName) {
+TEST_F(Commands, RefuseReservedOptionsByName) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> unbuilt{
       {{"sweep", scene_.string(), "--vary", "a=1,2"}, "weir sweep is not built yet"},
       {{"render", temporary_.path().string()}, "weir render is not built yet"},
@@ -202,11 +202,9 @@ TEST_F(Commands, RefuseWhatIsNotBuiltByName) {
   }
 }
 
-TEST_F(Commands, NameTheCommandThatIsNone) {
-  EXPECT_THAT(weir_program({"fly"}).err, HasSubstr("no such command: fly"));
-}
+TEST_F(Commands, NameUnknownCommands) { EXPECT_THAT(weir_program({"fly"}).err, HasSubstr("no such command: fly")); }
 
-TEST_F(Commands, TellTheVersion) {
+TEST_F(Commands, PrintTheVersion) {
   const Outcome outcome = weir_program({"--version"});
   EXPECT_EQ(outcome.exit, 0);
   EXPECT_EQ(outcome.out, "weir " WEIR_VERSION "\n");

@@ -50,7 +50,7 @@ TEST_F(Compare, FindsEqualPicturesTheSame) {
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("the same pixels"), HasSubstr("\nthe same\n")));
 }
 
-TEST_F(Compare, CountsWhatDiffers) {
+TEST_F(Compare, CountsDifferingPixels) {
   const Outcome outcome = compare(picture("a.png", 0, 0), picture("b.png", 5, 20));
   EXPECT_EQ(outcome.exit, 1);
   EXPECT_THAT(outcome.out, HasSubstr(" 5 % of the pixels over 0/255"));
@@ -123,7 +123,7 @@ TEST_F(Compare, FindsSizesDifferent) {
   EXPECT_THAT(outcome.out, HasSubstr("10 x 10 against 2 x 1"));
 }
 
-TEST_F(Compare, RefusesWhatItCannotCompare) {
+TEST_F(Compare, RefusesFilesThatItCannotCompare) {
   const fs::path a = picture("a.png", 0, 0);
   put_file(temporary_ / "text.png", "no picture");
   EXPECT_EQ(compare(a, temporary_ / "nowhere.png").exit, 2);

@@ -27,7 +27,7 @@ std::vector<std::string> usable_names() {
   return names;
 }
 
-// One that no processor has, and those that this one lacks.
+// An unknown one, and those that this processor lacks.
 std::vector<std::string> names_that_are_not_usable() {
   std::vector<std::string> names{"sse9"};
   const auto usable = usable_instruction_sets();
@@ -37,9 +37,9 @@ std::vector<std::string> names_that_are_not_usable() {
   return names;
 }
 
-class InstructionSetOf : public testing::Test {
+class ChosenInstructionSet : public testing::Test {
  protected:
-  InstructionSetOf() { put_file(scene_, small_scene_text); }
+  ChosenInstructionSet() { put_file(scene_, small_scene_text); }
 
   Outcome run(std::vector<std::string> more, const std::string& wanted = "") {
     std::vector<std::string> arguments{"run",  scene_.string(), "-o",    folder_.string(),    "--progress",
@@ -63,7 +63,7 @@ class InstructionSetOf : public testing::Test {
   fs::path folder_ = temporary_ / "run";
 };
 
-TEST_F(InstructionSetOf, ARunIsTheOneThatTheOptionOrTheEnvironmentNames) {
+TEST_F(ChosenInstructionSet, IsNamedByOptionOrEnvironment) {
   for (const std::string& name : usable_names()) {
     ASSERT_EQ(run({"--instruction-set", name}).exit, 0) << name;
     EXPECT_EQ(in_manifest(), name);
@@ -72,24 +72,24 @@ TEST_F(InstructionSetOf, ARunIsTheOneThatTheOptionOrTheEnvironmentNames) {
   }
 }
 
-TEST_F(InstructionSetOf, ARunIsTheLastUsableOneUnlessToldOtherwise) {
+TEST_F(ChosenInstructionSet, IsTheLastUsableOneByDefault) {
   ASSERT_EQ(run({}).exit, 0);
   EXPECT_EQ(in_manifest(), usable_names().back());
 }
 
-TEST_F(InstructionSetOf, ARunIsTheOptionsRatherThanTheEnvironments) {
+TEST_F(ChosenInstructionSet, IsTheOptionsBeforeTheEnvironments) {
   ASSERT_EQ(run({"--instruction-set", "baseline"}, usable_names().back()).exit, 0);
   EXPECT_EQ(in_manifest(), "baseline");
 }
 
-TEST_F(InstructionSetOf, ARunMustBeUsableOrNothingIsWritten) {
+TEST_F(ChosenInstructionSet, MustBeUsableOrNothingIsWritten) {
   for (const std::string& name : names_that_are_not_usable()) {
     expect_refused(run({"--instruction-set", name}), name);
     expect_refused(run({}, name), name);
   }
 }
 
-TEST_F(InstructionSetOf, InfoIsListedAndChosen) {
+TEST_F(ChosenInstructionSet, IsListedByInfo) {
   const auto info = [](const std::string& wanted, std::vector<std::string> arguments) {
     return weir_program(std::move(arguments), {.environment = {{"WEIR_INSTRUCTION_SET", wanted}}});
   };

@@ -1,4 +1,4 @@
-// `weir run`: what it writes, says and returns.
+// `weir run`: files, messages and exit codes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -103,7 +103,7 @@ TEST_F(Run, FromTheEffectiveSceneGivesTheSame) {
   const auto second = nlohmann::json::parse(file_text(again / "manifest.json"));
   EXPECT_EQ(second["state_hash"], first["state_hash"]);
   EXPECT_EQ(second["scene_sha256"], first["scene_sha256"]);
-  // The same run, so the same movie's name, and nothing to do where it stands already.
+  // The same run, so the same movie's name, and nothing to do where it is finished.
   EXPECT_TRUE(fs::exists(again / "small.mp4"));
   const Outcome in_place = weir_program({"run", (folder_ / "scene.yaml").string(), "-o", folder_.string()});
   EXPECT_EQ(in_place.exit, 0) << in_place.err;
@@ -121,7 +121,7 @@ TEST_F(Run, SkipsTheFinishedRunAndRefusesAnother) {
   EXPECT_EQ(run({"--set", "duration=0.12", "--force"}).exit, 0);
 }
 
-TEST_F(Run, NamesMistakesWithTheirPlaceAndWritesNothing) {
+TEST_F(Run, ReportsMistakesWithPositionsAndWritesNothing) {
   put_file(scene_, small_scene_text + "colour: red\nbodies: 3\n");
   const Outcome outcome = run();
   EXPECT_EQ(outcome.exit, 2);
@@ -144,14 +144,14 @@ TEST_F(Run, RefusesASettingWithoutValue) {
   EXPECT_THAT(outcome.err, HasSubstr("duration"));
 }
 
-TEST_F(Run, RefusesASceneThatIsNotThere) {
+TEST_F(Run, RefusesAMissingScene) {
   fs::remove(scene_);
   const Outcome outcome = run();
   EXPECT_EQ(outcome.exit, 2);
   EXPECT_THAT(outcome.err, HasSubstr(scene_.string()));
 }
 
-TEST_F(Run, TellsADivergenceAndKeepsWhatWasWritten) {
+TEST_F(Run, ReportsADivergenceAndKeepsWhatWasWritten) {
   const Outcome outcome = run({"--set", "solver.stiffness=1e9", "--set", "solver.time_step={fixed: 0.01}"});
   EXPECT_EQ(outcome.exit, 3) << outcome.err;
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("step"), HasSubstr("particle"), HasSubstr("try")));
@@ -160,14 +160,14 @@ TEST_F(Run, TellsADivergenceAndKeepsWhatWasWritten) {
   EXPECT_FALSE(fs::exists(folder_ / "small.part.mp4"));
 }
 
-TEST_F(Run, TellsThatThereIsNoOpenGlAndWritesNothing) {
+TEST_F(Run, ReportsMissingOpenGlAndWritesNothing) {
   const Outcome outcome = run({}, {.environment = {{"__EGL_VENDOR_LIBRARY_FILENAMES", "/nowhere.json"}}});
   EXPECT_EQ(outcome.exit, 4) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("EGL"));
   EXPECT_FALSE(fs::exists(folder_));
 }
 
-TEST_F(Run, RefusesADeviceThatIsNotThere) {
+TEST_F(Run, RefusesAMissingDevice) {
   const Outcome outcome = run({"--gl-device", "99"});
   EXPECT_EQ(outcome.exit, 4) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("99"));
@@ -180,21 +180,21 @@ TEST_F(Run, NeedsNoOpenGlWithoutPictures) {
   EXPECT_EQ(outcome.exit, 0) << outcome.err;
 }
 
-TEST_F(Run, TellsAFolderThatCannotBeMade) {
+TEST_F(Run, ReportsAFolderThatCannotBeMade) {
   folder_ = "/proc/weir";  // refuses even root
   const Outcome outcome = run();
   EXPECT_EQ(outcome.exit, 5);
   EXPECT_THAT(outcome.err, HasSubstr("/proc/weir"));
 }
 
-TEST_F(Run, TellsAFolderBelowAFile) {
+TEST_F(Run, ReportsAFolderBelowAFile) {
   folder_ = scene_ / "run";
   const Outcome outcome = run();
   EXPECT_EQ(outcome.exit, 5);
   EXPECT_THAT(outcome.err, HasSubstr("small.yaml"));
 }
 
-TEST_F(Run, TellsAFullDiskAndKeepsWhatWasWritten) {
+TEST_F(Run, ReportsAFullDiskAndKeepsWhatWasWritten) {
   // A limit of the file size stands in for the full disk: writes fail in the same place with another reason.
   const Outcome outcome =
       run({"--set", "duration=100", "--set", "output.frames=true"}, {.largest_file = std::size_t{24} * 1024});
@@ -216,7 +216,7 @@ TEST_F(Run, StopsAfterTheGivenWallTime) {
   EXPECT_EQ(manifest()["exit"], 6);
 }
 
-TEST_F(Run, RefusesAWallTimeThatIsNone) {
+TEST_F(Run, RefusesAMalformedWallTime) {
   for (const char* time : {"soon", "-3", "0", "5 d", "1e3"}) {
     const Outcome outcome = run({"--max-wall-time", time});
     EXPECT_EQ(outcome.exit, 2) << time;
@@ -250,14 +250,14 @@ TEST_F(Run, ReportsProgressInLinesWithoutATerminal) {
   EXPECT_THAT(outcome.err, Not(HasSubstr("\x1b")));
 }
 
-TEST_F(Run, RefusesWhatIsNotBuiltByName) {
+TEST_F(Run, RefusesReservedOptionsByName) {
   const Outcome outcome = run({"--resume"});
   EXPECT_EQ(outcome.exit, 2);
   EXPECT_THAT(outcome.err, HasSubstr("--resume is not built yet"));
   EXPECT_FALSE(fs::exists(folder_));
 }
 
-TEST_F(Run, TellsTheEstimatedColourRange) {
+TEST_F(Run, PrintsTheEstimatedColourRange) {
   EXPECT_THAT(run().err, HasSubstr("colour range of speed [m/s]: 0 to "));
   EXPECT_THAT(run({"--set", "render.color.range=[0, 3]", "--force"}).err, Not(HasSubstr("colour range")));
 }

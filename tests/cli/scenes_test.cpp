@@ -29,7 +29,7 @@ TEST(Scenes, AllPassTheCheckAndRun) {
   for (const fs::path& scene : shipped_scenes()) {
     SCOPED_TRACE(scene.string());
     const TemporaryFolder temporary;
-    // Unchanged, with its pictures, for a second: what lies later in the file is read and checked all the same.
+    // Unchanged, with its pictures, for a second: the later parts of the file are read and checked all the same.
     Program program({"run", scene.string(), "-o", temporary.path().string(), "--progress", "json"});
     program.says("\"event\":\"progress\"", 2);
     program.signal(SIGTERM);

@@ -1,4 +1,4 @@
-// Runs that are ended from outside, and what they map.
+// Runs that are stopped by signals, and the libraries that runs map.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>

@@ -1,4 +1,4 @@
-// What a person at a terminal sees.
+// Output at a terminal.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <pty.h>

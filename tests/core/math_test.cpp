@@ -10,7 +10,7 @@
 namespace weir {
 namespace {
 
-// A float whose multiply_add rounds once, as in the registers that work out quotients by products.
+// A float whose multiply_add rounds once, as in registers that compute quotients by products.
 struct Fused {
   float v;
   explicit Fused(int s) : v(static_cast<float>(s)) {}
@@ -21,7 +21,7 @@ struct Fused {
 };
 
 // Every mantissa: the error does not depend on the exponent, as long as nothing underflows.
-TEST(Reciprocal, ByProductsIsGoodToTheLastBit) {
+TEST(Reciprocal, ByProductsIsAccurateToTheLastBit) {
   double worst_guess = 0;
   double worst = 0;
   for (std::int32_t mantissa = 0; mantissa < 1 << 23; ++mantissa) {

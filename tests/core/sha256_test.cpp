@@ -14,7 +14,7 @@ TEST(Sha256, GivesThePublishedValues) {
             "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
 }
 
-// The million letters a of the same examples, in pieces that never end at a block.
+// One million letters a, of the same examples, in pieces that do not end at a block.
 TEST(Sha256, TakesItsInputInPieces) {
   const std::string piece(625, 'a');
   Sha256 hash;

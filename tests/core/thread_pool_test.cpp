@@ -17,51 +17,51 @@
 namespace weir {
 namespace {
 
-TEST(ThreadPool, TakesEveryTurnOnce) {
+TEST(ThreadPool, RunsEveryTaskOnce) {
   for (const int threads : {1, 2, 3, 8}) {
     ThreadPool pool(threads);
     for (const std::size_t count : {0, 1, 2, 3, 17, 1000}) {
-      std::vector<int> turns(count, 0);
-      pool.for_each(count, [&](std::size_t k) { ++turns[k]; });
-      EXPECT_EQ(turns, std::vector<int>(count, 1)) << threads << " threads, " << count << " turns";
+      std::vector<int> runs(count, 0);
+      pool.for_each(count, [&](std::size_t k) { ++runs[k]; });
+      EXPECT_EQ(runs, std::vector<int>(count, 1)) << threads << " threads, " << count << " tasks";
     }
   }
 }
 
-// Helpers of one loop must not leak into the next: each loop's data goes out of scope at once.
+// A helper of one loop must not reach into the next: each loop's data goes out of scope at once.
 TEST(ThreadPool, RunsManyShortLoopsAfterEachOther) {
   ThreadPool pool(4);
   std::size_t total = 0;
   for (std::size_t loop = 0; loop < 20000; ++loop) {
-    std::vector<std::size_t> turns(8 + loop % 5, 0);
-    pool.for_each(turns.size(), [&](std::size_t k) { turns[k] = k + 1; });
-    total += std::accumulate(turns.begin(), turns.end(), std::size_t{0});
+    std::vector<std::size_t> runs(8 + loop % 5, 0);
+    pool.for_each(runs.size(), [&](std::size_t k) { runs[k] = k + 1; });
+    total += std::accumulate(runs.begin(), runs.end(), std::size_t{0});
   }
   EXPECT_EQ(total, 4000 * (36 + 45 + 55 + 66 + 78));
 }
 
-TEST(ThreadPool, ThreadsThatAreNotUsedSleep) {
+TEST(ThreadPool, UsesAtMostTheThreadsAllowed) {
   ThreadPool pool(4);
   pool.use_at_most(2);
   std::atomic<int> at_once{0};
   std::atomic<int> most{0};
-  std::vector<int> turns(200, 0);
+  std::vector<int> runs(200, 0);
   for (int loop = 0; loop < 20; ++loop) {
-    pool.for_each(turns.size(), [&](std::size_t k) {
+    pool.for_each(runs.size(), [&](std::size_t k) {
       const int now = ++at_once;
       for (int seen = most; seen < now && !most.compare_exchange_weak(seen, now);) {
       }
       std::this_thread::sleep_for(std::chrono::microseconds(20));
-      ++turns[k];
+      ++runs[k];
       --at_once;
     });
   }
   EXPECT_EQ(most, 2);
-  EXPECT_THAT(turns, testing::Each(20));
+  EXPECT_THAT(runs, testing::Each(20));
   pool.use_at_most(1);
   const std::thread::id caller = std::this_thread::get_id();
-  pool.for_each(turns.size(), [&](std::size_t k) { turns[k] = std::this_thread::get_id() == caller ? 1 : 0; });
-  EXPECT_THAT(turns, testing::Each(1));
+  pool.for_each(runs.size(), [&](std::size_t k) { runs[k] = std::this_thread::get_id() == caller ? 1 : 0; });
+  EXPECT_THAT(runs, testing::Each(1));
 }
 
 TEST(ThreadPool, LeavesProcessorsToOthersWhileTheyAreAtWork) {

@@ -47,7 +47,7 @@ TEST(Viscosity, MonaghanFormIsConsistentForWideKernels) {
   EXPECT_NEAR(share_of_laplacian<MonaghanViscosity>(1), 0.66, 0.005);
   EXPECT_NEAR(share_of_laplacian<MonaghanViscosity>(2), 0.96, 0.005);
 }
-TEST(Viscosity, MorrisFormIsConsistentAtTheSeedsKernelWidth) {
+TEST(Viscosity, MorrisFormIsConsistentAtHinschsKernelWidth) {
   EXPECT_NEAR(share_of_laplacian<MorrisViscosity>(1), 1.005, 0.0005);
 }
 

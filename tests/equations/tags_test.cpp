@@ -1,4 +1,4 @@
-// Every equation has one place in the code and one row in the README's index.
+// Every equation has one place in the code and one row in the index of src/equations/README.md.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -39,9 +39,37 @@ TEST(EquationTags, StandOnceInTheCode) {
   for (const auto& [tag, count] : found) EXPECT_EQ(count, 1) << tag;
 }
 
-TEST(EquationTags, StandInTheReadmesIndex) {
-  const std::string readme = text_of("README.md");
-  for (const auto& [tag, count] : tags()) EXPECT_NE(readme.find("| " + tag + " |"), std::string::npos) << tag;
+// A row of the index: | tag | meaning | `file` Struct::function |.
+struct Row {
+  std::string file;
+  std::string name;  // as it stands in the file: a member without its struct
+};
+
+std::map<std::string, Row> index_rows() {
+  const std::regex row(R"(^\| ([^|]+) \| [^|]+ \| `([a-z_]+\.h)` (?:\w+::)?(\w+) \|$)");
+  std::map<std::string, Row> rows;
+  std::ifstream lines("src/equations/README.md");
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch match;
+    if (std::regex_match(line, match, row)) rows[match[1]] = {match[2], match[3]};
+  }
+  return rows;
+}
+
+TEST(EquationIndex, HasTheTagsOfTheCodeAndNoOthers) {
+  const auto in_code = tags();
+  const auto in_index = index_rows();
+  for (const auto& [tag, count] : in_code) EXPECT_TRUE(in_index.contains(tag)) << tag;
+  for (const auto& [tag, row] : in_index) EXPECT_TRUE(in_code.contains(tag)) << tag;
+}
+
+TEST(EquationIndex, NamesFunctionsOfTheFile) {
+  for (const auto& [tag, row] : index_rows()) {
+    const std::string text = text_of("src/equations/" + row.file);
+    EXPECT_TRUE(std::regex_search(text, std::regex("\\b" + row.name + "\\b")))
+        << tag << ": " << row.file << ", " << row.name;
+    EXPECT_NE(text.find('[' + tag + ']'), std::string::npos) << tag << " is not in " << row.file;
+  }
 }
 
 TEST(Equations, IncludeNothingButCore) {

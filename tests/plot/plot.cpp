@@ -12,7 +12,7 @@
 
 #include "core/error.h"
 
-// Declarations alone: the code is in the library libstb.
+// Declarations only; the code is in the library libstb.
 #include <stb/stb_image.h>
 
 namespace weir {
@@ -44,28 +44,27 @@ Image decode_png(const fs::path& file) {
   return image;
 }
 
-// Tags open and close in order, attributes are quoted: what a reader of XML stumbles over first. Returns the elements'
-// names.
+// Names of the elements. Throws unless tags nest and attributes are quoted.
 std::vector<std::string> elements(const std::string& xml) {
   std::vector<std::string> names;
   std::vector<std::string> open;
   for (std::size_t at = xml.find('<'); at != std::string::npos; at = xml.find('<', at)) {
     const std::size_t end = xml.find('>', at);
-    if (end == std::string::npos) throw std::runtime_error("a tag without an end");
+    if (end == std::string::npos) throw std::runtime_error("unterminated tag");
     const std::string tag = xml.substr(at + 1, end - at - 1);
     at = end;
     if (tag.starts_with('?') || tag.starts_with('!')) continue;
-    if (std::count(tag.begin(), tag.end(), '"') % 2 != 0) throw std::runtime_error("an unquoted end: " + tag);
+    if (std::count(tag.begin(), tag.end(), '"') % 2 != 0) throw std::runtime_error("unbalanced quotes: " + tag);
     const std::string name = tag.substr(tag.starts_with('/') ? 1 : 0, tag.find_first_of(" \n/", 1) - (tag[0] == '/'));
     if (tag.starts_with('/')) {
-      if (open.empty() || open.back() != name) throw std::runtime_error("closes what is not open: " + name);
+      if (open.empty() || open.back() != name) throw std::runtime_error("end tag without start tag: " + name);
       open.pop_back();
       continue;
     }
     names.push_back(name);
     if (!tag.ends_with('/')) open.push_back(name);
   }
-  if (!open.empty()) throw std::runtime_error("never closed: " + open.back());
+  if (!open.empty()) throw std::runtime_error("missing end tag: " + open.back());
   return names;
 }
 
@@ -147,7 +146,7 @@ TEST(Plot, WritesPdfWithItsFontInside) {
 TEST(Plot, SameDataGivesTheSameBytes) {
   write_plot(folder() / "one", waves());
   write_plot(folder() / "grid_one", squares());
-  // Longer than the second in which a date would stay the same.
+  // Dates have a resolution of one second.
   std::this_thread::sleep_for(std::chrono::milliseconds(1100));
   write_plot(folder() / "two", waves());
   write_plot(folder() / "grid_two", squares());

@@ -32,7 +32,7 @@ TEST(Camera, WithoutWallsAQuarterIsAdded) {
 
 TEST(Camera, FittedPlaneFillsTheContentAndIsCentred) {
   const Projection projection = fit_2d({Vec3(-1, 0, 0), Vec3(3, 1, 0)}, content);
-  EXPECT_DOUBLE_EQ(projection.focal, 280.0 / 4);  // the width decides: 70 pixels per metre, 70 of 150 pixels high
+  EXPECT_DOUBLE_EQ(projection.focal, 280.0 / 4);  // limited by the width: 70 pixels per metre, 70 of 150 pixels high
   const glm::dvec2 low = projection.pixel(Vec3(-1, 0, 0));
   const glm::dvec2 high = projection.pixel(Vec3(3, 1, 0));
   EXPECT_NEAR(low.x, content.left, 1e-9);
@@ -54,7 +54,7 @@ TEST(Camera, FittedSpaceTouchesTheContentAndStaysInside) {
   EXPECT_GE(seen.top, content.top - 1e-6);
   EXPECT_LE(seen.right, content.right + 1e-6);
   EXPECT_LE(seen.bottom, content.bottom + 1e-6);
-  // One direction decides the distance, and in it both sides touch; a pixel is left to the rounds of centring.
+  // One direction determines the distance, and both sides touch in it; a pixel of tolerance for the iteration.
   EXPECT_NEAR(std::max(seen.width() / content.width(), seen.height() / content.height()), 1, 0.01);
   EXPECT_GT(projection.pixel(Vec3(0, 2, 0)).y, projection.pixel(Vec3(0, 2, 5)).y);  // z is up
 }
@@ -74,7 +74,7 @@ TEST(Camera, StatedSpaceHasItsFieldOfView) {
   EXPECT_NEAR(projection.pixels_per_metre(), 90 / half, 1e-9);
 }
 
-TEST(Camera, LooksStraightDownWithoutLosingItsUp) {
+TEST(Camera, LookingStraightDownHasADefinedUp) {
   const Projection projection = projection_of(View3D{Vec3(0, 0, 10), Vec3(0), 60}, 320, 180);
   EXPECT_LT(projection.pixel(Vec3(0, 1, 0)).y, 90);
   EXPECT_GT(projection.pixel(Vec3(1, 0, 0)).x, 160);
@@ -125,14 +125,14 @@ TEST(Camera, StartsAndStopsSmoothly) {
   EXPECT_NEAR(speed(0.5), 1.5, 1e-3);  // of the smoothstep 3 u^2 - 2 u^3
 }
 
-TEST(Camera, GoesRoundTheTarget) {
+TEST(Camera, MovesAroundTheTarget) {
   const View3D from{Vec3(0, -2, 0), Vec3(0), 30};
   const View3D to{Vec3(8, 0, 0), Vec3(0), 50};
   const auto half = std::get<View3D>(view_between(from, to, 0.5));
   EXPECT_NEAR(glm::length(half.eye), 4, 1e-12);  // sqrt(2 * 8)
   EXPECT_NEAR(half.eye.x, -half.eye.y, 1e-12);   // half of the right angle
   EXPECT_DOUBLE_EQ(half.field_of_view, 40);
-  // To the opposite side it goes sideways, and never through the target.
+  // It moves sideways to the opposite side, never through the target.
   const auto opposite = std::get<View3D>(view_between(from, View3D{Vec3(0, 2, 0), Vec3(0), 30}, 0.5));
   EXPECT_NEAR(glm::length(opposite.eye), 2, 1e-12);
   EXPECT_NEAR(opposite.eye.z, 0, 1e-12);

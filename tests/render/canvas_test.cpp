@@ -51,7 +51,7 @@ TEST(Font, DigitsAreEquallyWideAtEverySize) {
       EXPECT_EQ(font.width(digit, size), font.width("0", size)) << size;
 }
 
-TEST(Font, HasTheMarksThatTheOverlayUses) {
+TEST(Font, HasTheSymbolsOfTheOverlay) {
   Font font(font_dejavu_sans());
   for (const char32_t mark : {U'✓', U'✗', U'−', U'³', U'µ'})
     EXPECT_NE(font.glyph(mark, 20).coverage, font.glyph(0xfffe, 20).coverage);
@@ -59,7 +59,7 @@ TEST(Font, HasTheMarksThatTheOverlayUses) {
 }
 
 // A capital I at 100 pixels: DejaVu Sans' stem is 0.0986 em wide and its capitals 0.729 em high.
-TEST(Font, GlyphsHaveTheDesignersSize) {
+TEST(Font, GlyphsHaveTheNominalSize) {
   Font font(font_dejavu_sans());
   const Glyph& letter = font.glyph(U'I', 100);
   EXPECT_EQ(letter.height, 73);

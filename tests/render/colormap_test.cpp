@@ -28,9 +28,8 @@ TEST(Colormap, HasThePublishedAnchors) {
   EXPECT_EQ(colormap(ColormapName::coolwarm)[255], 0xb40426U);
 }
 
-// Mikhailov 2019 gives a polynomial of degree five beside the table. It is a fit, worst at the dark end where it is
-// 0.125 off; reversed, shifted by a few entries or with channels exchanged, the table would be off by several times
-// that.
+// Mikhailov 2019 gives a polynomial of degree five beside the table, a fit with an error of at most 0.125, at the dark
+// end. A reversed or shifted table, or exchanged channels, would have several times this error.
 glm::dvec3 turbo_polynomial(double x) {
   const std::array<std::array<double, 6>, 3> c = {
       {{0.13572138, 4.61539260, -42.66032258, 132.13108234, -152.94239396, 59.28637943},
@@ -65,8 +64,7 @@ double lightness(const glm::dvec3& srgb) {
   return y > 0.008856 ? 116 * std::cbrt(y) - 16 : 903.3 * y;
 }
 
-// What these maps were made for: equal steps of the quantity are equal steps of lightness. A wrong entry would stand
-// out.
+// These maps are perceptually uniform: equal steps of the quantity are equal steps of lightness.
 TEST(Colormap, SequentialMapsRiseEvenlyInLightness) {
   for (const ColormapName name : {ColormapName::viridis, ColormapName::cividis, ColormapName::magma})
     for (int k = 1; k < 256; ++k) {
@@ -96,7 +94,7 @@ TEST(Colormap, TakesTheNearestEntryAndClampsOutside) {
   EXPECT_EQ(colormap_index(5 * 100.6 / 255, {0, 5}), 101);
 }
 
-TEST(ColorRange, IsTheScenesIfItSaysOne) {
+TEST(ColorRange, IsTheScenesIfGiven) {
   test::Still still = test::dam_break();
   still.scene.render.color.range = {{1, 2.5}};
   EXPECT_EQ(color_range(still.scene, still.static_scene), (std::array<double, 2>{1, 2.5}));

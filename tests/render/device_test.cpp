@@ -1,4 +1,4 @@
-// Finding a device, and failing to. Each failure runs in a process of its own: EGL reads its environment once.
+// Choice of the device, and its failures. Each failure runs in a process of its own: EGL reads its environment once.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ TEST(Device, SoftwareIsLlvmpipe) {
   EXPECT_THAT(renderer->gl_renderer(), HasSubstr("llvmpipe"));
 }
 
-TEST(Device, TheListSaysWhatEachIs) {
+TEST(Device, TheListDescribesEachDevice) {
   const std::vector<DeviceTrial> devices = list_devices();
   ASSERT_FALSE(devices.empty());
   const auto software = std::find_if(devices.begin(), devices.end(),
@@ -63,7 +63,7 @@ TEST(Device, TheRequestComesBeforeTheEnvironment) {
   EXPECT_EQ(device_choice("").device, "software");  // WEIR_GL_DEVICE, which the tests set
 }
 
-// In a fresh process: sets a variable, asks for a renderer, and ends with what came of it on stderr.
+// In a new process: sets a variable, makes a renderer, and prints the error to stderr.
 [[noreturn]] void ask_with(const char* variable, const char* value, const char* device) {
   setenv(variable, value, 1);
   const Still still = blank(1);
@@ -118,7 +118,7 @@ TEST(DeviceTrials, NameTheErrorOfEgl) {
   EXPECT_EQ(egl_error_name(0x1234), "EGL error 0x1234");
 }
 
-TEST(DeviceTrials, AMissingLibraryIsFoundOutBeforeItIsUsed) {
+TEST(DeviceTrials, AMissingLibraryIsDetectedBeforeItsUse) {
   std::string problem;
   EXPECT_TRUE(library_is_there({"libnothing-of-the-kind.so.7", "libc.so.6"}, problem));
   EXPECT_FALSE(library_is_there({"libnothing-of-the-kind.so.7"}, problem));

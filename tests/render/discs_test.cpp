@@ -1,4 +1,4 @@
-// Facts about drawn particles, from the pixels.
+// Properties of drawn particles, from their pixels.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -51,10 +51,11 @@ std::uint32_t rgb(const Image& image, int x, int y) {
 
 class DiscOfRadius : public testing::TestWithParam<double> {};
 
-// Dots keep area and centre exactly. A disc's edge is a smooth step that has the right integral over the plane; what the
-// sum over pixels makes of it was worked out in double precision for a thousand places of the centre between pixels: at a
-// radius of 1.13 the area is off by up to 2.5 % and the centre by 0.023 pixels, at 1.5 by 0.9 % and 0.034, at 3.3 by 0.54 %
-// and 0.011, at 10 by 0.03 % and 0.008. On top, each of the 8 r + 4 pixels on the edge is rounded to 1/254.
+// Dots keep area and centre exactly. A disc's edge is a smooth step that has the right integral over the plane; what
+// the sum over pixels makes of it was worked out in double precision for a thousand places of the centre between
+// pixels: at a radius of 1.13 the area is off by up to 2.5 % and the centre by 0.023 pixels, at 1.5 by 0.9 % and 0.034,
+// at 3.3 by 0.54 % and 0.011, at 10 by 0.03 % and 0.008. On top, each of the 8 r + 4 pixels on the edge is rounded to
+// 1/254.
 TEST_P(DiscOfRadius, CoversItsAreaAroundItsCentre) {
   const double radius = GetParam();
   const double area = std::numbers::pi * radius * radius;
@@ -80,8 +81,8 @@ double counted_coverage(int x, int y, glm::dvec2 center, double radius) {
   return inside / 4096.0;
 }
 
-// The smooth step differs from the share that a straight edge cuts off by up to 0.043: an edge along the pixels that just
-// touches one leaves it 7/8 of the step, 1 - (7/8)^2 (3 - 7/4). Rounding and counting come on top.
+// The smooth step differs from the share that a straight edge cuts off by up to 0.043: an edge along the pixels that
+// just touches one leaves it 7/8 of the step, 1 - (7/8)^2 (3 - 7/4). Rounding and counting come on top.
 TEST(Discs, EachPixelHasTheCoverageThatCountingPointsGives) {
   for (const double radius : {1.5, 4.2, 9.7}) {
     const glm::dvec2 at(0.3, -0.15);
@@ -144,7 +145,7 @@ TEST(Discs, NoneLeaveTheBackground) {
             static_cast<std::uint32_t>(dark.r) << 16 | static_cast<std::uint32_t>(dark.g) << 8 | dark.b);
 }
 
-TEST(Discs, OffThePictureAreNotSeen) {
+TEST(Discs, OffThePictureAreNotDrawn) {
   Still still = one_disc(10, {0, 0});
   still.frame.particles = {glm::vec4(171, 0, 0, 0), glm::vec4(0, -101, 0, 0), glm::vec4(1e6f, 1e6f, 0, 0),
                            glm::vec4(-3e38f, 3e38f, 0, 0)};

@@ -1,4 +1,4 @@
-// Drawing of given particles against committed pictures.
+// Pictures of given particles against committed ones.
 #include <gtest/gtest.h>
 
 #include "render/test_scene.h"
@@ -50,7 +50,7 @@ TEST(DrawingGolden, DensityOnLargerPicture) {
 
 TEST(DrawingGolden, ThreeDimensions) { EXPECT_TRUE(drawing_matches(cup(), "cup")); }
 
-TEST(DrawingGolden, SaysWhatDiffers) {
+TEST(DrawingGolden, ReportsDifferences) {
   Image a{2, 1, {10, 20, 30, 255, 1, 2, 3, 255}};
   Image b = a;
   EXPECT_EQ(difference(a, b).pixels, 0);

@@ -1,4 +1,4 @@
-// Pictures drawn for a movie against the same pictures as PNG files would hold them.
+// Movie frames against the same pictures as drawn for PNG files.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ MovieImage filmed(const Still& still, MovieBy who) {
   return image;
 }
 
-// Put together by the device, as other pictures, and by the processor.
+// Composed by the device, as other pictures, and by the processor.
 class MoviePicture : public ::testing::TestWithParam<MovieBy> {
  protected:
   MovieImage filmed(const Still& still) const { return test::filmed(still, GetParam()); }
@@ -82,7 +82,8 @@ TEST_P(MoviePicture, MayBeOfAnyEvenSize) {
   }
 }
 
-// A straight edge between pixels 99 and 100: the sample at pixel 100 takes a quarter from pixel 99, and no other mixes.
+// A straight edge between pixels 99 and 100: the sample at pixel 100 has a weight of 1/4 for pixel 99; no other sample
+// mixes.
 TEST_P(MoviePicture, HasItsChromaOnTheLeft) {
   Still still = blank(1);
   still.static_scene.particle_spacing = 2e4;
@@ -133,7 +134,7 @@ struct Row {
   }
 };
 
-// As many under way as a run has.
+// With as many started frames as in a run.
 TEST_P(MoviePicture, OfARowIsWhatAFreshRendererDraws) {
   Row row;
   const auto renderer = renderer_of(row.still, GetParam());
@@ -151,8 +152,7 @@ TEST_P(MoviePicture, OfARowIsWhatAFreshRendererDraws) {
   while (next < row.frames.size()) expect_next();
 }
 
-// Images that come back show older pictures, are copies, are of another renderer or size, or have been written to since by
-// someone who says so.
+// Reused images show older pictures, are copies, are of another renderer or size, or were overwritten and marked so.
 TEST_P(MoviePicture, DrawnOverAnotherIsWhatAFreshRendererDraws) {
   Row row;
   const auto renderer = renderer_of(row.still, GetParam());
@@ -174,8 +174,8 @@ TEST_P(MoviePicture, DrawnOverAnotherIsWhatAFreshRendererDraws) {
   }
 }
 
-// Here llvmpipe draws, which is the processor.
-TEST(MoviePictures, ArePutTogetherByTheProcessorWhereNothingElseDraws) {
+// The tests use llvmpipe, a software device.
+TEST(MoviePictures, AreComposedByTheProcessorOnASoftwareDevice) {
   const Still still = blank(1);
   const auto fitting = renderer_of(still, MovieBy::fitting);
   if (fitting->gl_renderer().find("llvmpipe") == std::string::npos) GTEST_SKIP() << fitting->gl_renderer();
@@ -183,7 +183,7 @@ TEST(MoviePictures, ArePutTogetherByTheProcessorWhereNothingElseDraws) {
   EXPECT_NE(fitting->most_under_way(), renderer_of(still, MovieBy::device)->most_under_way());
 }
 
-TEST(MoviePictures, AreTheSameWhoeverPutsThemTogether) {
+TEST(MoviePictures, AreTheSameFromDeviceAndProcessor) {
   Still discs = dam_break();
   Still transparent = discs;
   transparent.scene.render.transparent = true;

@@ -95,7 +95,7 @@ TEST(Overlay, SizesFollowTheHeight) {
   EXPECT_EQ(layout_of(sized(320, 240)).size, 9);
 }
 
-// What is drawn stays within the boxes that were laid out, but for the rim of a panel.
+// Drawn pixels are within the boxes of the layout, except for the rim of a panel.
 TEST(Overlay, DrawsInsideItsBoxes) {
   for (const auto& [width, height] : {std::pair{320, 240}, {640, 480}, {1920, 1080}}) {
     const Still still = sized(width, height);
@@ -160,8 +160,8 @@ TEST(Overlay, ConditionIsGreenWhenMetAndRedWhenNot) {
   }
 }
 
-// Only the digits' pixels may change from frame to frame: all that stands before them stays where it is.
-TEST(Overlay, TimeStandsStillWhileItRuns) {
+// From frame to frame only the pixels of the digits change.
+TEST(Overlay, TimeKeepsItsPosition) {
   Still still = sized(640, 480);
   still.scene.duration = 12;
   const IntBox box = *layout_of(still).time;
@@ -179,7 +179,7 @@ TEST(Overlay, TimeStandsStillWhileItRuns) {
 }
 
 // The bar is the longest run of text colour in a row of its box; 3 m across 640 pixels.
-TEST(Overlay, ScaleBarIsAsLongAsItSays) {
+TEST(Overlay, ScaleBarHasTheLengthOfItsLabel) {
   Still still = sized(640, 480);
   still.scene.render.overlay = {OverlayItem::scalebar};
   const Image image = overlay_image(still);
@@ -197,7 +197,7 @@ TEST(Overlay, ScaleBarIsAsLongAsItSays) {
   EXPECT_EQ(longest, 43);
 }
 
-TEST(Overlay, AnItemOverFluidKeepsAPanelBehindIt) {
+TEST(Overlay, AnItemOverFluidHasAPanelBehindIt) {
   Still still = sized(640, 480);
   Overlay overlay(still.scene, {0, 5});
   Image dark{640, 480, std::vector<std::uint8_t>(std::size_t{4} * 640 * 480, 0)};

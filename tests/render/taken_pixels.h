@@ -1,4 +1,4 @@
-// Texels, as particles leave them for the device, as the pixels of a picture.
+// Converts the texels of the rasterisers to the pixels of a picture.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Scenes and particles for drawing, with no solver behind them.
+// Scenes and particles to draw, made without a solver.
 #pragma once
 
 #include <vector>

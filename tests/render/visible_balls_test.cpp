@@ -1,5 +1,5 @@
-// Balls of which most are left out, against a picture for which every ball is looked at, pixel by pixel, in double precision
-// where that decides nothing.
+// Occlusion culling against a reference that rasterises every sphere, in double precision where the result does not
+// depend on it.
 #include "render/visible_balls.h"
 
 #include <gtest/gtest.h>
@@ -125,8 +125,8 @@ Picture all_looked_at(std::vector<ScreenBall> balls, const View& view) {
   return picture;
 }
 
-// What is left out may not show at all. Bytes may be rounded to the other side; and the share of the front that the drawing
-// takes is not rounded up to whole 1/1024, which where next to nothing is covered makes up to half of it.
+// What is left out may not show at all. Bytes may be rounded to the other side; and the share of the front that the
+// drawing takes is not rounded up to whole 1/1024, which where next to nothing is covered makes up to half of it.
 void expect_same_picture(const std::vector<glm::vec4>& particles, const View& view) {
   const Picture wanted = all_looked_at(seen(particles, view), view);
   const Picture found = picture_of(particles, view);
@@ -155,7 +155,7 @@ std::vector<glm::vec4> box(const View& view, int across, int deep, double disord
   return balls;
 }
 
-TEST(VisibleBalls, LeaveThePictureAsItIs) {
+TEST(VisibleBalls, CullingKeepsThePicture) {
   for (const double size : {0.7, 1.6, 4.3, 17.0})  // pixels
     for (const double disorder : {0.0, 0.2, 0.6}) {
       const View view{0.01, size / 0.01};
@@ -164,8 +164,8 @@ TEST(VisibleBalls, LeaveThePictureAsItIs) {
     }
 }
 
-// Some hide all that is behind, some are between others, and there are droplets far in front of a body, whose balls close
-// some pixels of what they touch and never all.
+// Some hide all that is behind, some are between others, and there are droplets far in front of a body, whose balls
+// close some pixels of what they touch and never all.
 TEST(VisibleBalls, InFrontMakeNoHole) {
   const View view{0.01, 400};
   std::vector<glm::vec4> balls = box(view, 24, 8, 0.2);

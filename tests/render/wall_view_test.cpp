@@ -14,7 +14,7 @@ Scene tank() {
   return scene;
 }
 
-TEST(WallView, LeavesOutTheSidesOfATankThatTurnTheirBackToTheEye) {
+TEST(WallView, CullsTheSidesOfATankThatFaceTheEyeWithTheirOutside) {
   const Scene scene = tank();
   const Vec3 eye(-3, -5, 3);                                     // in front, on the left, above
   EXPECT_TRUE(hides_inside(scene, Vec3(1, -0.05, 0.5), eye));    // front
@@ -25,7 +25,7 @@ TEST(WallView, LeavesOutTheSidesOfATankThatTurnTheirBackToTheEye) {
   EXPECT_TRUE(hides_inside(scene, Vec3(1, 0.5, -0.05), Vec3(1, 0.5, -4)));
 }
 
-TEST(WallView, KeepsEdgesThatBelongToASideThatIsSeen) {
+TEST(WallView, KeepsEdgesOfVisibleSides) {
   const Scene scene = tank();
   const Vec3 eye(-3, -5, 3);
   EXPECT_TRUE(hides_inside(scene, Vec3(-0.05, -0.05, 0.5), eye));     // front and left
@@ -33,7 +33,7 @@ TEST(WallView, KeepsEdgesThatBelongToASideThatIsSeen) {
   EXPECT_FALSE(hides_inside(scene, Vec3(-0.05, -0.05, -0.05), eye));  // front, left and floor
 }
 
-TEST(WallView, KeepsWhatIsNoContainer) {
+TEST(WallView, KeepsObstacles) {
   Scene scene = tank();
   const Vec3 eye(-3, -5, 3);
   EXPECT_FALSE(hides_inside(scene, Vec3(1, 0.5, 0.5), eye));   // an obstacle inside

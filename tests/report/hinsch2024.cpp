@@ -14,7 +14,7 @@ namespace {
 
 constexpr double exact_pi = 3.141592653589793;
 
-// The cubic spline of [Hinsch24 ch. 4.1] written out branch by branch, as the text has it.
+// The cubic spline of [Hinsch24 ch. 4.1], branch by branch as printed.
 double cubic_spline_2d(double r, double h) {
   const double q = r / h;
   const double alpha = 5 / (14 * exact_pi * h * h);
@@ -96,8 +96,8 @@ TEST(Hinsch2024, KernelDerivativeFigureHoldsTheClosedForm) {
   }
 }
 
-// A column at rest is compressed by rho g z / k-ish: four times the stiffness, a quarter of the error.
-TEST(Hinsch2024, StifferTowersAreDenserByLess) {
+// The compression of a column at rest is about rho g z / k: four times the stiffness, a quarter of the error.
+TEST(Hinsch2024, DensityErrorFallsWithStiffness) {
   const LinePlot plot = stiffness_figure(small_tower(), silent());
   ASSERT_EQ(plot.series.size(), 3u);
   EXPECT_THAT(plot.series[0].label, "10");
@@ -108,26 +108,26 @@ TEST(Hinsch2024, StifferTowersAreDenserByLess) {
     ASSERT_EQ(series.x.size(), 81u);
     EXPECT_EQ(series.x.front(), 0);
     EXPECT_NEAR(series.x.back(), 0.4, 1e-12);
-    // The change from the start: the lattice itself is off by a constant at the walls and the surface.
+    // Relative to the start: the lattice has a constant error at walls and surface.
     errors.push_back(mean(series.y, 20) - series.y.front());
   }
   EXPECT_GT(errors[0], 2 * errors[1]);
   EXPECT_GT(errors[1], errors[2]);
 }
 
-// Erratum A5: against time the step size hardly matters.
+// Erratum A5: over time, curves of different time steps nearly coincide.
 TEST(Hinsch2024, TimeStepDoesNotChangeTheFrequencyOfTheTower) {
   const LinePlot plot = time_step_figure(small_tower(), silent());
   ASSERT_EQ(plot.series.size(), 3u);
-  const auto swing = [](const Series& series) {
+  const auto amplitude = [](const Series& series) {
     return *std::max_element(series.y.begin(), series.y.end()) - *std::min_element(series.y.begin(), series.y.end());
   };
   for (const Series& series : plot.series) {
     ASSERT_EQ(series.x, plot.series[0].x);
-    // The first swing of the column, 0.1 s, before small differences have grown.
+    // The first oscillation of the column, 0.1 s, before small differences grow.
     double largest = 0;
     for (std::size_t k = 0; k <= 20; ++k) largest = std::max(largest, std::abs(series.y[k] - plot.series[2].y[k]));
-    EXPECT_LT(largest, 0.1 * swing(plot.series[2])) << series.label;
+    EXPECT_LT(largest, 0.1 * amplitude(plot.series[2])) << series.label;
   }
 }
 
@@ -162,14 +162,14 @@ TEST(Hinsch2024, StillsAreNinePicturesOverTheWholeRun) {
   EXPECT_EQ(std::count(stills.csv.begin(), stills.csv.end(), '\n'), 10);
 }
 
-TEST(Hinsch2024, ShippedScenesAreRightAndOfTheSizeOfTheSource) {
+TEST(Hinsch2024, ShippedScenesAreValidAndOfThePapersSize) {
   EXPECT_TRUE(check(shipped_tower()).empty());
   EXPECT_TRUE(check(shipped_dam_break()).empty());
   const auto particles = static_cast<double>(estimate(shipped_dam_break()).fluid_particles);
   EXPECT_NEAR(particles, 15000, 0.1 * 15000);  // [Hinsch24 ch. 8]
 }
 
-// Times are the machine's; what stands beside them is not.
+// Times depend on the machine; labels and particle numbers do not.
 TEST(Hinsch2024, SearchFigureComparesBothSearchesOnTheSameTowers) {
   const LinePlot plot = search_figure(small_tower(), {200, 800}, silent());
   std::vector<std::string> labels;

@@ -12,7 +12,7 @@ namespace {
 
 using testing::ElementsAre;
 
-// Times are the machine's; what is measured, and that it is a number, is not.
+// Times depend on the machine; the table's rows and columns do not.
 SpeedOptions smallest() {
   return {.particles = {100, 400}, .developed_particles = 100, .seconds = 1e-3, .real_time_duration = 2e-3};
 }
@@ -24,7 +24,7 @@ ReportOptions two_threads() {
   return options;
 }
 
-// Quotes hold commas together.
+// Commas within quotes do not separate.
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells(1);
   bool quoted = false;
@@ -48,7 +48,7 @@ struct Table {
     std::getline(lines, header);
     for (std::string line; std::getline(lines, line);) rows.push_back(cells_of(line));
   }
-  // The first `columns` of each row, with commas between.
+  // The first `columns` cells of each row, joined by commas.
   std::vector<std::string> beginnings(std::size_t columns) const {
     std::vector<std::string> result;
     for (const auto& row : rows) {
@@ -93,7 +93,7 @@ TEST(Speed, DevelopedFlowHasARowPerDimensionAndThreads) {
   }
 }
 
-TEST(Speed, SavingsHaveARowPerTermThatASceneMayLack) {
+TEST(Speed, SavingsHaveARowPerOptionalTerm) {
   const Table table(savings_csv(smallest(), two_threads()));
   EXPECT_EQ(table.header, "case,with[steps/s],without[steps/s],saving[1]");
   EXPECT_THAT(table.beginnings(1),

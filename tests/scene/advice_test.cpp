@@ -12,7 +12,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-TEST(Advice, WarnsOfWallsThatHeatAFluidOfLittleViscosity) {
+TEST(Advice, WarnsOfMirroredWallsWhereViscosityIsLow) {
   Scene scene = small_dam_break(2, 0.02);
   scene.solver.compressibility = SoundSpeed{10};  // 0.01 h c0 = 0.002 m^2/s
   scene.fluid.viscosity = {ViscosityModel::morris, 0.0019};

@@ -23,7 +23,7 @@ std::size_t allocated_bytes() { return total; }
 
 }  // namespace weir
 
-// Every form but those for great alignments; were one left out, a sanitizer's own would take its place.
+// Every form but those for great alignments; were one left out, a sanitizer's own would be used.
 void* operator new(std::size_t size) { return weir::allocate_or_throw(size); }
 void* operator new[](std::size_t size) { return weir::allocate_or_throw(size); }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return weir::allocate(size); }

@@ -45,7 +45,7 @@ std::vector<std::string> said_of_walls(std::vector<Wall> walls, int dimension = 
   return said(scene);
 }
 
-TEST(Check, AcceptsWhatIsRight) {
+TEST(Check, AcceptsValidScenes) {
   EXPECT_THAT(said(scene_in(2)), IsEmpty());
   EXPECT_THAT(said(scene_in(3)), IsEmpty());
   EXPECT_THAT(said_of_walls({{Tank{{0, 0, 0}, {3, 2, 0}, {Side::top}}, 2, {}}}), IsEmpty());
@@ -109,7 +109,7 @@ TEST(Check, NamesBothVolumesThatOverlap) {
   EXPECT_THAT(with_second(Polygon{{{1, 0.5, 0}, {2, 0, 0}, {2, 1, 0}}}), IsEmpty());
 }
 
-TEST(Check, NamesEachOfManyVolumesInOnePlace) {
+TEST(Check, NamesEachOfManyCoincidingVolumes) {
   Scene scene = scene_in(2);
   scene.fluid.volumes.assign(400, {Ball{{0, 0, 0}, 2}, Vec3(0), Vec3(0)});
   const std::vector<std::string> all = said(scene);  // minutes, were each compared with each by its particles
@@ -152,7 +152,7 @@ TEST(Check, RefusesFluidInWalls) {
   }
 }
 
-TEST(Check, RefusesShapesThatAreNone) {
+TEST(Check, RefusesDegenerateShapes) {
   EXPECT_THAT(said_of_shape(Box{{0, 1, 0}, {1, 0, 0}}),
               ElementsAre("fluid.volumes.0.box.max must lie above min along y: min is 1, max is 0"));
   EXPECT_THAT(said_of_shape(Box{{0, 0, 0}, {1, 0.05, 0}}),
@@ -201,13 +201,46 @@ TEST(Check, RefusesMoreParticlesThanFit) {
               ElementsAre(HasSubstr("more than can be counted")));
 }
 
+TEST(Check, RefusesCoordinatesThatADoubleDoesNotResolve) {
+  // 1e-6 2^52 spacings of 0.1 m are 4.5036e8 m.
+  const auto at = [](double x) { return said_of_shape(Box{{x, 0, 0}, {x + 1, 1, 0}}); };
+  EXPECT_THAT(at(4.5e8), IsEmpty());
+  EXPECT_THAT(at(-4.6e8), ElementsAre("fluid.volumes.0.box reaches 4.6e+08 m from the origin; at a spacing of 0.1 m, "
+                                      "positions are exact to a millionth of it only up to 4.5e+08 m"));
+}
+
+TEST(Check, RefusesSpansOfMoreTilesThanTheSolverCounts) {
+  Scene scene = scene_in(2);
+  const auto apart_by = [&](double x) {
+    scene.fluid.volumes = {{Box{{0, 0, 0}, {1, 1, 0}}, Vec3(0), Vec3(0)},
+                           {Box{{x, 0, 0}, {x + 1, 1, 0}}, Vec3(0), Vec3(0)}};
+    return said(scene);
+  };
+  EXPECT_THAT(apart_by(1.6e6), IsEmpty());
+  EXPECT_THAT(apart_by(1.7e6),
+              ElementsAre("particles.spacing of 0.1 m: fluid and walls span 1.7e+06 m along x, more than 16777216 "
+                          "spacings; choose at least 0.11 m"));
+}
+
+TEST(Check, WallsSlideOnlyWhereFrictionReachesThem) {
+  Scene scene = scene_in(2);
+  scene.walls = {{Tank{{0, 0, 0}, {3, 2, 0}, {Side::top}}, 2, {}, {1, 0, 0}}};
+  scene.solver.wall_slip = WallSlip::free_slip;
+  EXPECT_THAT(said(scene),
+              ElementsAre("walls.0.tank.motion.slide needs solver.wall_slip: no_slip; it is free_slip",
+                          "walls.0.tank.motion.slide needs solver.wall_pressure: extrapolated; it is mirrored"));
+  scene.solver.wall_slip = WallSlip::no_slip;
+  scene.solver.wall_pressure = WallPressure::extrapolated;
+  EXPECT_THAT(said(scene), IsEmpty());
+}
+
 TEST(Check, SamplesThinShapesOfAnyLengthInTime) {
   // A sliver with a bounding box of 1e10 cells, and a block of 1e8 of which only the skin is wall.
   EXPECT_THAT(said_of_shape(Polygon{{{0, 0, 0}, {1e4, 1e4, 0}, {1e4, 1e4 + 0.5, 0}}}), IsEmpty());
   EXPECT_THAT(said_of_walls({{Block{{2, 0, 0}, {1e3, 1e3, 0}}, 2, {}}}), IsEmpty());
 }
 
-TEST(Check, JudgesTimelines) {
+TEST(Check, RefusesInvalidTimelines) {
   Scene scene = scene_in(2);
   const auto event = [](double at, double over, const Settings& set) {
     return TimelineEvent{at, over, set, false, {}};
@@ -251,7 +284,7 @@ TEST(Check, JudgesTimelines) {
               ElementsAre("timeline.0.set.solver.sound_speed stands beside solver.stiffness; give one of them"));
 }
 
-TEST(Check, JudgesCameras) {
+TEST(Check, RefusesInvalidCameras) {
   Scene scene = scene_in(2);
   scene.camera.view = View3D{{0, 0, 5}, {0, 0, 0}, 35};
   EXPECT_THAT(said(scene), ElementsAre("camera.view is a view of a 3D scene; a 2D scene needs center and width"));
@@ -267,7 +300,7 @@ TEST(Check, JudgesCameras) {
   EXPECT_THAT(said(scene), ElementsAre("camera.keyframes.0 needs a view of its own"));
 }
 
-TEST(Check, JudgesPicturesAndOutput) {
+TEST(Check, RefusesInvalidPicturesAndOutput) {
   Scene scene = scene_in(2);
   scene.render.color.range = {{5, 5}};
   EXPECT_THAT(said(scene), ElementsAre("render.color.range must rise, got [5, 5]"));
@@ -310,6 +343,19 @@ TEST(Scene, DerivesStiffnessAndSoundSpeedFromEachOther) {
   EXPECT_DOUBLE_EQ(stiffness(scene), 7000);
 }
 
+TEST(Scene, StartsFromItsOwnParameters) {
+  Scene scene = scene_in(2);
+  scene.gravity = Vec3(1, 2, 0);
+  scene.fluid.viscosity.kinematic = 3;
+  scene.fluid.surface_tension.coefficient = 4;
+  scene.solver.compressibility = SoundSpeed{7};
+  const Parameters parameters = initial_parameters(scene);
+  EXPECT_EQ(parameters.gravity, Vec3(1, 2, 0));
+  EXPECT_EQ(parameters.viscosity, 3);
+  EXPECT_EQ(parameters.surface_tension, 4);
+  EXPECT_DOUBLE_EQ(parameters.stiffness, 7000);
+}
+
 TEST(Scene, EstimatesTheTopSpeedByFalling) {
   Scene scene = scene_in(2);
   scene.walls = {{Tank{{0, -1, 0}, {3, 2, 0}, {Side::top}}, 2, {}}};
@@ -320,6 +366,10 @@ TEST(Scene, EstimatesTheTopSpeedByFalling) {
   EXPECT_DOUBLE_EQ(max_speed_estimate(scene), 5 + 9.81 * 2);
   scene.gravity = Vec3(0);
   EXPECT_DOUBLE_EQ(max_speed_estimate(scene), 5);
+  scene.fluid.volumes[0].flow.taylor_green = TaylorGreen{2, 1};
+  EXPECT_DOUBLE_EQ(max_speed_estimate(scene), 7);
+  scene.walls = {{Block{{2, 0, 0}, {3, 1, 0}}, 0, {}, {0, 8, 0}}};
+  EXPECT_DOUBLE_EQ(max_speed_estimate(scene), 8);
 }
 
 TEST(Estimate, CountsWhatIsSampled) {

@@ -31,7 +31,7 @@ TEST(Overrides, ReachIntoListsByNumber) {
   EXPECT_EQ(scene_of(shortest_text, {"timeline.0={at: 1, pause: true}"}).timeline.size(), 1U);
 }
 
-TEST(Overrides, TakeWhatFollowsSetAsOneKey) {
+TEST(Overrides, TakeAllAfterSetAsOneKey) {
   const Scene scene = scene_of(with_list, {"timeline.0.set.fluid.viscosity.kinematic=0.5"});
   EXPECT_EQ(scene.timeline[0].set.viscosity, 0.5);
   EXPECT_EQ(scene.timeline[0].set.gravity, Vec3(1, 0, 0));

@@ -48,7 +48,7 @@ TEST(Reader, NamesASceneAfterItsKeyOrItsFile) {
   EXPECT_EQ(read_scene_text(shortest_text, "folder/dam_break.yaml").name, "dam_break");
   EXPECT_EQ(scene_of(shortest_text + "name: other-1.5\n").name, "other-1.5");
   EXPECT_EQ(scene_of(shortest_text, {"name=third"}).name, "third");
-  // What was written reads back under the same name, wherever it stands.
+  // A written scene reads back under the same name, whatever its file is called.
   const std::string effective = write_scene(read_scene_text(shortest_text, "folder/dam_break.yaml"));
   EXPECT_EQ(read_scene_text(effective, "scene.yaml").name, "dam_break");
   EXPECT_EQ(write_scene(read_scene_text(effective, "scene.yaml")), effective);
@@ -109,7 +109,6 @@ solver:
   exponent: 1
   negative_pressure: keep
   wall_slip: free_slip
-  neighbour_search: naive
   time_step: {fixed: 1.0e-4}
 timeline:
   - {at: 1.0, over: 0.2, set: {gravity: [3, -9.81], fluid.viscosity.kinematic: 0.01}}
@@ -214,7 +213,7 @@ TEST(Reader, RefusesUnknownChoices) {
                   "s.yaml:6:33: render.overlay holds 'time' twice"));
 }
 
-TEST(Reader, RefusesNumbersThatAreNone) {
+TEST(Reader, RefusesMalformedNumbers) {
   const auto said = [](const std::string& number) { return with_line("gravity: [0, " + number + "]"); };
   const std::string start = "s.yaml:6:14: gravity.1 expects a number, got '";
   EXPECT_THAT(said(".inf"), ElementsAre(start + ".inf'; infinity is not a number here"));
@@ -277,7 +276,7 @@ TEST(Reader, RefusesVectorsAndShapesOfTheOtherDimension) {
                   "s.yaml:6:30: camera.view.target does not go with the other keys of camera.view"));
 }
 
-TEST(Reader, RefusesTwoOfWhatExcludesEachOther) {
+TEST(Reader, RefusesTwoKeysThatExcludeEachOther) {
   EXPECT_THAT(with_line("solver: {sound_speed: 10, stiffness: 1000}"),
               ElementsAre("s.yaml:6:10: solver.sound_speed stands beside solver.stiffness; give one of them"));
   EXPECT_THAT(with_line("solver: {time_step: {fixed: 0.1, cfl: 0.4}}"),
@@ -286,22 +285,24 @@ TEST(Reader, RefusesTwoOfWhatExcludesEachOther) {
               ElementsAre("s.yaml:6:44: walls.0.box stands beside walls.0.tank; give one of them"));
 }
 
-TEST(Reader, RefusesByNameWhatIsNotBuilt) {
-  EXPECT_THAT(with_line("periodic: [x]"),
-              ElementsAre("s.yaml:6:1: periodic is not built yet (periodic boundaries); leave it out"));
+TEST(Reader, RefusesReservedKeysByName) {
   EXPECT_THAT(with_line("bodies: [{}]"),
               ElementsAre("s.yaml:6:1: bodies is not built yet (rigid bodies); leave it out"));
   EXPECT_THAT(with_line("probes: [{}]"), ElementsAre("s.yaml:6:1: probes is not built yet (probes); leave it out"));
   EXPECT_THAT(with_line("output: {particles: true, checkpoint: {every: 60}}"),
               ElementsAre("s.yaml:6:10: output.particles is not built yet (particle files); leave it out",
                           "s.yaml:6:27: output.checkpoint is not built yet (checkpoints); leave it out"));
-  EXPECT_THAT(with_line("walls: [{tank: {min: [0, 0], max: [1, 1], motion: {}}}]"),
-              ElementsAre("s.yaml:6:43: walls.0.tank.motion is not built yet (moving walls); leave it out"));
+  EXPECT_THAT(with_line("walls: [{tank: {min: [0, 0], max: [1, 1], motion: {turn: 1}}}]"),
+              ElementsAre("s.yaml:6:52: unknown key 'walls.0.tank.motion.turn'"));
+  EXPECT_THAT(
+      with_line("domain: {min: [0, 0], max: [1, 1]}"),
+      ElementsAre("s.yaml:6:1: domain without periodic axes is not built yet; name axes in `periodic`, or leave "
+                  "it out"));
   EXPECT_THAT(with_line("walls: [{plane: {}}]"),
               ElementsAre("s.yaml:6:9: walls.0 needs one of the keys tank, box, polyline, disc",
                           "s.yaml:6:10: walls.0.plane is not built yet (a wall without particles); leave it out"));
   EXPECT_THAT(with_line("solver: {method: iisph}"),
-              ElementsAre("s.yaml:6:10: solver.method 'iisph' is not built yet; choose from wcsph"));
+              ElementsAre("s.yaml:6:10: solver.method 'iisph' is not built yet; choose from wcsph, delta_sph"));
   EXPECT_THAT(with_line("periodic: []\nbodies: []\nprobes: []\noutput: {particles: false, checkpoint: false}"),
               IsEmpty());
 }

@@ -1,4 +1,4 @@
-// The README's scene reference is what the field table says.
+// The scene reference in scenes/README.md is what the field table says.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -6,15 +6,23 @@
 #include <fstream>
 #include <iterator>
 
+#include "scene/advice.h"
 #include "scene/keys.h"
+#include "scene/reader.h"
 
 namespace weir {
 namespace {
 
+constexpr const char* page = "scenes/README.md";
 constexpr std::string_view begin_mark = "<!-- scene reference: begin -->\n";
 constexpr std::string_view end_mark = "<!-- scene reference: end -->";
 
-// Text as it looks, whatever it means to Markdown or HTML; code between backticks stays as it is.
+std::string text_of(const char* file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// Escaped for Markdown and HTML; code between backticks stays as it is.
 std::string cell(const std::string& text) {
   std::string result;
   bool code = false;
@@ -64,22 +72,32 @@ std::string reference() {
   return head + first + rest;
 }
 
-TEST(Readme, HoldsTheSceneReference) {
-  std::ifstream in("README.md");
-  const std::string readme{std::istreambuf_iterator<char>(in), {}};
+TEST(SceneReference, IsTheFieldTable) {
+  const std::string readme = text_of(page);
   const std::size_t mark = readme.find(begin_mark);
   const std::size_t end = readme.find(end_mark);
   ASSERT_TRUE(mark != std::string::npos && end != std::string::npos && mark < end)
-      << "README.md needs the lines " << begin_mark << "and " << end_mark;
+      << page << " needs the lines " << begin_mark << "and " << end_mark;
   const std::size_t begin = mark + begin_mark.size();
   if (const char* bless = std::getenv("WEIR_BLESS"); bless != nullptr && std::string_view(bless) == "1") {
-    std::ofstream("README.md") << readme.substr(0, begin) << reference() << readme.substr(end);
+    std::ofstream(page) << readme.substr(0, begin) << reference() << readme.substr(end);
     return;
   }
-  EXPECT_EQ(readme.substr(begin, end - begin), reference()) << "WEIR_BLESS=1 writes it anew";
+  EXPECT_EQ(readme.substr(begin, end - begin), reference()) << "WEIR_BLESS=1 rewrites it";
 }
 
-TEST(Readme, ShowsTextAsItIs) {
+// The scene between ```yaml and ``` on the front page.
+TEST(FrontPage, ShowsAValidScene) {
+  const std::string text = text_of("README.md");
+  const std::string_view fence = "```yaml\n";
+  const std::size_t begin = text.find(fence);
+  ASSERT_NE(begin, std::string::npos);
+  const std::size_t scene = begin + fence.size();
+  const Scene read = read_scene_text(text.substr(scene, text.find("```\n", scene) - scene), "README.md");
+  EXPECT_TRUE(advice(read).empty());
+}
+
+TEST(SceneReference, EscapesMarkdownOutsideCode) {
   EXPECT_EQ(cell("dt <= a | b * c"), "dt &lt;= a \\| b \\* c");
   EXPECT_EQ(cell("in place of `view <x>`"), "in place of `view <x>`");
 }

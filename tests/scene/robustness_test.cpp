@@ -1,4 +1,4 @@
-// Whatever the bytes, the reader ends with a scene or with mistakes that say where.
+// Whatever the bytes, the reader returns a scene or mistakes with positions.
 #include <gtest/gtest.h>
 
 #include <algorithm>

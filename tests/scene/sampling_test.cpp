@@ -1,4 +1,4 @@
-// Counts and places of particles against closed formulas; spacings for all walls that shipped scenes are made of.
+// Numbers and positions of particles against closed formulas; spacings for all walls that shipped scenes are made of.
 #include "scene/sampling.h"
 
 #include <gmock/gmock.h>
@@ -39,13 +39,13 @@ double least_distance(const std::vector<Vec3>& points) {
   return least / dx;
 }
 
-double distance_to_nearest(const std::vector<Vec3>& points, const Vec3& place) {
+double distance_to_nearest(const std::vector<Vec3>& points, const Vec3& from) {
   double least = 1e300;
-  for (const Vec3& point : points) least = std::min(least, glm::length(point - place));
+  for (const Vec3& point : points) least = std::min(least, glm::length(point - from));
   return least;
 }
 
-// The widest hole in the first layer behind a face: the largest distance, in dx, from a place on the layer's middle
+// The widest hole in the first layer behind a face: the largest distance, in dx, from a point on the layer's middle
 // line to the nearest wall particle. Particles `gap` apart on the line leave gap / 2.
 double widest_gap(const std::vector<Vec3>& walls, const Vec3& from, const Vec3& to) {
   double widest = 0;
@@ -160,7 +160,7 @@ TEST(Sampling, LeavesOpenSidesFlushWithTheirNeighbours) {
   EXPECT_NEAR(bounds(box).max.z, 0.95, 1e-12);
 }
 
-TEST(Sampling, MeetsBothFacesOfTanksThatAreNoMultiple) {
+TEST(Sampling, ReachesBothFacesOfTanksOfAnySize) {
   for (const double size : {0.1, 0.149, 0.151, 0.33, 1.04, 1.06}) {
     const std::vector<Vec3> points = sample_wall({Tank{{0, 0, 0}, {size, size, 0}, {}}, 1, {}}, 2, dx, 1);
     EXPECT_NEAR(bounds(points).min.x, -0.05, 1e-12);
@@ -183,7 +183,7 @@ TEST(Sampling, GrowsBlockLayersInwards) {
   EXPECT_GT(least_distance(points), 0.75 - 1e-9);
 }
 
-TEST(Sampling, MakesOfALineWhatItMakesOfATank) {
+TEST(Sampling, GivesAClosedLineTheLayersOfATank) {
   const std::vector<Vec3> closed{{0, 0, 0}, {1.2, 0, 0}, {1.2, 0.5, 0}, {0, 0.5, 0}};
   const std::vector<Vec3> tank = sorted(sample_wall({Tank{{0, 0, 0}, {1.2, 0.5, 0}, {}}, 3, {}}, 2, dx, 3));
   EXPECT_EQ(sorted(sample_wall({Polyline{closed, true, Flank::right}, 3, {}}, 2, dx, 3)), tank);
@@ -263,7 +263,7 @@ TEST(Sampling, PutsBallsOnShells) {
     }
     const double cells = 4 * std::numbers::pi * shell * shell / (dx * dx);
     EXPECT_NEAR(static_cast<double>(first_layer), cells, 0.15 * cells + 2) << radius;
-    for (int i = 0; i < 500; ++i) {  // a spiral of places over the shell
+    for (int i = 0; i < 500; ++i) {  // a spiral of points over the shell
       const double z = -1 + 2 * (i + 0.5) / 500;
       const double angle = 2.399963 * i;
       const double r = std::sqrt(1 - z * z);

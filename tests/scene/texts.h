@@ -1,4 +1,4 @@
-// Scenes as text, and what the reader says about them.
+// Scenes as text, and the mistakes that the reader finds in them.
 #pragma once
 
 #include <string>

@@ -19,7 +19,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(InstructionSets, TheBaselineIsEverywhereAndFirst) {
+TEST(InstructionSets, TheBaselineIsAlwaysUsableAndFirst) {
   ASSERT_FALSE(usable_instruction_sets().empty());
   EXPECT_EQ(usable_instruction_sets().front(), InstructionSet::baseline);
 }
@@ -28,8 +28,8 @@ TEST(InstructionSets, AreFoundByTheirNames) {
   for (const InstructionSet set : usable_instruction_sets()) EXPECT_EQ(instruction_set_by_name(name_of(set)), set);
 }
 
-// As on a processor that lacks one of those that the program was built with.
-TEST(InstructionSets, WhatThereIsNotIsRefusedByNamingWhatThereIs) {
+// As on a processor that lacks a set that the program was built with.
+TEST(InstructionSets, AnUnusableSetIsRefusedNamingTheUsableOnes) {
   const std::vector<InstructionSet> here = {InstructionSet::baseline, InstructionSet::avx2};
   EXPECT_EQ(instruction_set_by_name("avx2", here), InstructionSet::avx2);
   for (const char* name : {"avx512", "sse9", ""}) {
@@ -45,7 +45,7 @@ TEST(InstructionSets, WhatThereIsNotIsRefusedByNamingWhatThereIs) {
 }
 
 #if defined(__x86_64__) && defined(__linux__)
-// As the kernel has them, which leaves out what it does not save the registers of.
+// As in the kernel, which omits features whose registers it does not save.
 std::set<std::string> flags_of_processor() {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);) {
@@ -60,9 +60,9 @@ bool includes(const std::set<std::string>& flags, std::initializer_list<const ch
   return std::all_of(wanted.begin(), wanted.end(), [&](const char* flag) { return flags.contains(flag); });
 }
 
-// What gcc -march=haswell and -march=skylake-avx512 switch on, by the kernel's names (abm is lzcnt and popcnt), without
-// what compilers use when asked alone.
-TEST(InstructionSets, AreUsableWhereTheProcessorHasAllThatCompilersUse) {
+// Features of gcc -march=haswell and -march=skylake-avx512 by the kernel's names (abm is lzcnt and popcnt), without
+// those that compilers use on request alone.
+TEST(InstructionSets, AreUsableIfTheProcessorHasEveryFeatureThatCompilersUse) {
   const std::set<std::string> flags = flags_of_processor();
   ASSERT_FALSE(flags.empty());
   const bool avx2 = includes(

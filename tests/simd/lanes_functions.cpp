@@ -2,12 +2,12 @@
 
 #include "simd/lanes.h"
 
-// Newer than what instruction_set.cpp asks the processor for.
+// Features that instruction_set.cpp does not check.
 #if !defined(WEIR_PORTABLE_LANES)
 #if defined(__AVX512VBMI__) || defined(__AVX512VBMI2__) || defined(__AVX512IFMA__) || defined(__AVX512VNNI__) ||       \
     defined(__AVX512BITALG__) || defined(__AVX512VPOPCNTDQ__) || defined(__AVX512BF16__) || defined(__AVX512FP16__) || \
     defined(__AVXVNNI__) || defined(__GFNI__) || defined(__VAES__) || defined(__VPCLMULQDQ__)
-#error "built with instructions that are used without asking for them: see instruction_set.cpp"
+#error "built with instructions whose support is not checked: see instruction_set.cpp"
 #endif
 #endif
 
@@ -28,9 +28,9 @@ void square_root_of(const float* a, float* result) {
   for (int k = 0; k < widest_register; k += lanes) store(square_root(load(a + k)), result + k);
 }
 bool all_at_most(const float* a, const float* b) {
-  bool are = true;
-  for (int k = 0; k < widest_register; k += lanes) are = are && all(at_most(load(a + k), load(b + k)));
-  return are;
+  bool result = true;
+  for (int k = 0; k < widest_register; k += lanes) result = result && all(at_most(load(a + k), load(b + k)));
+  return result;
 }
 
 }  // namespace

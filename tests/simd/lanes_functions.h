@@ -1,11 +1,11 @@
-// Functions of registers by arrays, for tests that are built for every processor.
+// Functions of registers on arrays, for tests that are built for every processor.
 #pragma once
 
 namespace weir {
 
 constexpr int widest_register = 16;  // floats
 
-// Each takes and gives `widest_register` numbers.
+// Each takes and returns `widest_register` numbers.
 struct LaneFunctions {
   void (*larger)(const float* a, const float* b, float* result);
   void (*smaller)(const float* a, const float* b, float* result);

@@ -33,7 +33,7 @@ LaneFunctions functions_of(InstructionSet set) {
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-// Every pair of these, shared out over lanes.
+// Every pair of these is tested, in every lane.
 constexpr std::array<float, 9> special = {nan, -infinity, -2, -1e-30F, 0, 1e-30F, 1, 3, infinity};
 
 template <class Visit>
@@ -51,7 +51,7 @@ void for_each_pair(const Visit& visit) {
   }
 }
 
-// The same number, or none in both: there are many that are none.
+// The same bits, or NaN in both: NaN has many representations.
 testing::AssertionResult same(float a, float b) {
   if ((a != a && b != b) || std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b)) {
     return testing::AssertionSuccess();
@@ -59,19 +59,19 @@ testing::AssertionResult same(float a, float b) {
   return testing::AssertionFailure() << a << " and " << b;
 }
 
-TEST(NoNumber, StaysNoneInThePositivePart) {
-  EXPECT_NE(positive_part(nan), positive_part(nan)) << "the only thing that differs from itself is no number";
+TEST(Nan, PropagatesThroughThePositivePart) {
+  EXPECT_NE(positive_part(nan), positive_part(nan)) << "NaN alone differs from itself";
   const double no_double = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(positive_part(no_double), positive_part(no_double));
 }
 
-// What the comparison says where there is no order: the second.
-TEST(NoNumber, IsTheLargerOneIfItComesSecond) {
+// Comparisons with NaN are false, which selects the second argument.
+TEST(Nan, IsTheLargerArgumentIfItIsTheSecond) {
   EXPECT_NE(larger(1.0F, nan), larger(1.0F, nan));
   EXPECT_EQ(larger(nan, 1.0F), 1);
 }
 
-TEST(Lanes, ChooseAsTheEquationsOfOneNumberDo) {
+TEST(Lanes, CompareAsScalarsDo) {
   for (const InstructionSet set : usable_instruction_sets()) {
     const LaneFunctions lanes = functions_of(set);
     for_each_pair([&](const Numbers& a, const Numbers& b) {
@@ -93,7 +93,7 @@ TEST(Lanes, ChooseAsTheEquationsOfOneNumberDo) {
   }
 }
 
-TEST(Lanes, HaveNoRootOfWhatIsNoNumberOrNegative) {
+TEST(Lanes, GiveNanAsTheRootOfNanAndOfNegativeNumbers) {
   for (const InstructionSet set : usable_instruction_sets()) {
     for (const float none : {nan, -1.0F}) {
       for (std::size_t at = 0; at < widest_register; ++at) {
@@ -108,8 +108,8 @@ TEST(Lanes, HaveNoRootOfWhatIsNoNumberOrNegative) {
   }
 }
 
-// By which the solver finds particles that have flown away.
-TEST(Lanes, ASingleOneThatIsNoNumberIsNotAtMostAnything) {
+// The solver detects diverged particles by this comparison.
+TEST(Lanes, ASingleNanIsNotAtMostAnything) {
   for (const InstructionSet set : usable_instruction_sets()) {
     const LaneFunctions lanes = functions_of(set);
     Numbers limit;

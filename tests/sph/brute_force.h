@@ -9,7 +9,7 @@
 
 #include "scene/sampling.h"
 #include "scene/scene.h"
-#include "sph/wcsph.h"
+#include "sph/solver.h"
 
 namespace weir {
 
@@ -40,10 +40,9 @@ inline Sampling shaken(const Scene& scene, unsigned seed) {
 }
 
 template <int Dim>
-void accelerate(Wcsph<Dim>& solver) {
-  solver.find_neighbours();
-  solver.compute_density_and_pressure();
-  solver.compute_accelerations();
+void accelerate(SphSolver<Dim>& solver) {
+  solver.refresh();
+  solver.accelerate();
 }
 
 template <int Dim>
@@ -64,7 +63,7 @@ struct State {
   std::vector<Vec<Dim, double>> position, velocity, acceleration, wall;
   std::vector<double> density, pressure, pressure_term;  // the last is p / rho^2
 
-  explicit State(const Wcsph<Dim>& solver) {
+  explicit State(const SphSolver<Dim>& solver) {
     const auto& fluid = solver.fluid();
     for (auto* each : {&position, &velocity, &acceleration}) each->resize(fluid.count);
     for (auto* each : {&density, &pressure, &pressure_term}) each->resize(fluid.count);
@@ -72,11 +71,11 @@ struct State {
       if (fluid.empty(slot)) continue;
       const auto i = static_cast<std::size_t>(fluid.id[slot]);
       position[i] = fluid.position(slot);
-      velocity[i] = convert<double>(fluid.velocity_of(slot));
-      acceleration[i] = convert<double>(fluid.acceleration_of(slot));
-      density[i] = fluid.density[slot];
+      velocity[i] = convert<double>(fluid.vector_at(solver.velocity(), slot));
+      acceleration[i] = convert<double>(fluid.vector_at(solver.acceleration(), slot));
+      density[i] = solver.density().at(slot);
       pressure[i] = solver.pressure_at(slot);
-      pressure_term[i] = fluid.pressure_term[slot];
+      pressure_term[i] = solver.pressure_term().at(slot);
     }
     for (std::size_t slot = 0; slot < solver.walls().slots(); ++slot) {
       if (!solver.walls().empty(slot)) wall.push_back(solver.walls().position(slot));
@@ -97,6 +96,36 @@ struct BruteForce {
   double n = scene.solver.exponent;
   double nu = scene.fluid.viscosity.kinematic;
   bool wendland = scene.solver.kernel.name == KernelName::wendland_c2;
+  std::vector<V> images = images_of(scene);  // displacements of the scene's copies, itself the first
+
+  // One copy to each side along each periodic axis.
+  static std::vector<V> images_of(const Scene& scene) {
+    const Bounds extent = periodic_extent(scene);
+    std::vector<V> all{V{}};
+    for (int d = 0; d < Dim; ++d) {
+      if (!is_periodic(scene, d)) continue;
+      for (std::size_t image = all.size(); image-- > 0;) {
+        for (const double sign : {-1.0, 1.0}) {
+          V moved = all[image];
+          moved[d] += sign * (extent.max[d] - extent.min[d]);
+          all.push_back(moved);
+        }
+      }
+    }
+    return all;
+  }
+  // visit(j, x_ij) for every other particle of `others`, and every image.
+  template <class Visit>
+  void for_each_other(const V& x_i, const std::vector<V>& others, std::size_t self, const Visit& visit) const {
+    for (std::size_t j = 0; j < others.size(); ++j) {
+      for (std::size_t image = 0; image < images.size(); ++image) {
+        if (j == self && image == 0) continue;
+        const V x_ij = x_i - others[j] - images[image];
+        if (dot(x_ij, x_ij) < 4 * h * h) visit(j, x_ij);
+      }
+    }
+  }
+  static constexpr auto none = static_cast<std::size_t>(-1);
 
   double alpha() const {
     const double volume = std::pow(h, Dim);
@@ -119,9 +148,10 @@ struct BruteForce {
   }
 
   double density(std::size_t i) const {
-    double rho = 0;
-    for (const V& x_j : state.position) rho += m * w(norm(state.position[i] - x_j));
-    for (const V& x_j : state.wall) rho += m * w(norm(state.position[i] - x_j));
+    double rho = m * w(0);
+    const auto add = [&](std::size_t, const V& x_ij) { rho += m * w(norm(x_ij)); };
+    for_each_other(state.position[i], state.position, i, add);
+    for_each_other(state.position[i], state.wall, none, add);
     return rho;
   }
   std::vector<double> densities() const {
@@ -153,18 +183,15 @@ struct BruteForce {
       const double r2 = dot(x_ij, x_ij);
       return (2 * nu * volume * dot(x_ij, grad_w(x_ij)) / (r2 + 0.01 * h * h)) * v_ij;
     };
-    for (std::size_t j = 0; j < state.size(); ++j) {
-      if (j == i) continue;
-      const V x_ij = state.position[i] - state.position[j];
+    for_each_other(state.position[i], state.position, i, [&](std::size_t j, const V& x_ij) {
       a += (-m * (term(rho[i]) + term(rho[j]))) * grad_w(x_ij);
       a += viscous(x_ij, state.velocity[i] - state.velocity[j], 2 * m / (rho[i] + rho[j]));
       a += scene.fluid.surface_tension.coefficient * grad_w(x_ij);
-    }
-    for (const V& x_j : state.wall) {
-      const V x_ij = state.position[i] - x_j;
+    });
+    for_each_other(state.position[i], state.wall, none, [&](std::size_t, const V& x_ij) {
       a += (-2 * m * term(rho[i])) * grad_w(x_ij);
       a += viscous(x_ij, state.velocity[i], 2 * m / (rho[i] + rho0));
-    }
+    });
     return a;
   }
   std::vector<V> accelerations(const std::vector<double>& rho) const {
@@ -177,12 +204,13 @@ struct BruteForce {
   V acceleration_tolerance_by_pressure(std::size_t i, const std::vector<double>& rho) const {
     V together{};
     V apart{};
-    for (std::size_t j = 0; j < state.size(); ++j) {
-      const V gradient = m * grad_w(state.position[i] - state.position[j]);
+    for_each_other(state.position[i], state.position, i, [&](std::size_t j, const V& x_ij) {
+      const V gradient = m * grad_w(x_ij);
       together += gradient;
       for (int d = 0; d < Dim; ++d) apart[d] += term_tolerance(rho[j]) * std::abs(gradient[d]);
-    }
-    for (const V& x_j : state.wall) together += 2 * m * grad_w(state.position[i] - x_j);
+    });
+    for_each_other(state.position[i], state.wall, none,
+                   [&](std::size_t, const V& x_ij) { together += 2 * m * grad_w(x_ij); });
     for (int d = 0; d < Dim; ++d) apart[d] += term_tolerance(rho[i]) * std::abs(together[d]);
     return apart;
   }

@@ -25,7 +25,7 @@ Walk walk(const Scene& scene, double limit) {
   Walk walk;
   while (!clock.finished()) {
     if (clock.frame_index() >= 0) walk.frame_times.push_back(clock.time());
-    const double dt = clock.fitted_step(limit);
+    const double dt = fitted_step(limit, clock.way());
     walk.shortest = std::min(walk.shortest, dt);
     walk.longest = std::max(walk.longest, dt);
     clock.advance(dt);
@@ -78,7 +78,7 @@ TEST(Clock, AnEventThatMissesAFrameTimeByRoundingIsOnIt) {
 TEST(Clock, FramesAreNotMetBetweenThem) {
   Clock clock(timed(1, 10));
   EXPECT_EQ(clock.frame_index(), 0);
-  clock.advance(clock.fitted_step(0.04));
+  clock.advance(fitted_step(0.04, clock.way()));
   EXPECT_EQ(clock.frame_index(), -1);
   clock.advance_to_landing();
   EXPECT_EQ(clock.frame_index(), 1);

@@ -1,4 +1,4 @@
-// How exactly places are kept.
+// How exactly positions are kept.
 #include "sph/positions.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 
 #include "core/math.h"
 #include "equations/kernels.h"
-#include "sph/wcsph.h"
+#include "sph/solver.h"
 
 namespace weir {
 namespace {
@@ -27,9 +27,9 @@ TEST(Positions, ErrorOfPairsStaysBelowSixMillionthsOfASpacingHoweverFarTilesDrif
       {.shape = Box{Vec3(0.1037, 0.0511, 0), Vec3(1.3037, 1.2511, 0)}, .velocity = Vec3(7.1, -3.3, 0)}};
   ThreadPool pool(1);
   const Sampling sampling = sample(scene);
-  Wcsph<2> solver(scene, sampling, pool);
-  solver.find_neighbours();
-  solver.compute_density_and_pressure();
+  const auto owned = make_solver<2>(scene, sampling, pool, default_instruction_set());
+  SphSolver<2>& solver = *owned;
+  solver.refresh();
 
   const auto kernel = kernel_at<WendlandC2, 2, double>(1.3 * dx, solver.particle_mass());
   double slopes = 0;  // sum of m |W'| around a particle of the lattice
@@ -42,14 +42,13 @@ TEST(Positions, ErrorOfPairsStaysBelowSixMillionthsOfASpacingHoweverFarTilesDrif
   const double bound = 6e-6 * dx * slopes + sum_rounding;
 
   double farthest = 0;
-  const std::int64_t sorts = solver.neighbours().sorts();
+  const std::int64_t sorts = solver.search().sorts(solver.fluid());
   double drift = 0;
   while (drift < 10 * dx) {  // a tile may drift (32 - 2 * 1.3 - 0.6) / 2 = 14 spacings
-    solver.compute_accelerations();
-    solver.integrate(2e-4);
+    solver.accelerate();
+    solver.move(2e-4);
     drift += 14.2e-4;
-    solver.find_neighbours();
-    solver.compute_density_and_pressure();
+    solver.refresh();
     for (std::size_t slot = 0; slot < solver.fluid().slots(); ++slot) {
       if (solver.fluid().empty(slot)) continue;
       farthest = std::max(farthest, std::abs(static_cast<double>(solver.fluid().x[0][slot])) / dx);
@@ -59,10 +58,10 @@ TEST(Positions, ErrorOfPairsStaysBelowSixMillionthsOfASpacingHoweverFarTilesDrif
       double lattice = 0;
       for (int i = -3; i <= 3; ++i)
         for (int j = -3; j <= 3; ++j) lattice += kernel.value(dx * std::hypot(i, j));
-      ASSERT_NEAR(static_cast<double>(solver.fluid().density[slot]), lattice, bound) << "after " << drift / dx;
+      ASSERT_NEAR(static_cast<double>(solver.density().at(slot)), lattice, bound) << "after " << drift / dx;
     }
   }
-  EXPECT_EQ(solver.neighbours().sorts(), sorts) << "nothing drifted";
+  EXPECT_EQ(solver.search().sorts(solver.fluid()), sorts) << "nothing drifted";
   EXPECT_GT(farthest, 20) << "of 32 spacings";
 }
 

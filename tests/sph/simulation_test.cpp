@@ -91,15 +91,6 @@ TEST(Skip, WallsOutOfReachAreNotThere) {
   });
 }
 
-TEST(Skip, BothSearchesGiveTheSameRun) {
-  for_each_solver([](int dimension, InstructionSet set) {
-    Scene scene = short_dam_break(dimension);
-    const std::string sorted = hash_after(scene, 2, set);
-    scene.solver.neighbour_search = NeighbourSearch::naive;
-    EXPECT_EQ(hash_after(scene, 2, set), sorted);
-  });
-}
-
 TEST(Simulation, InstructionSetsAgreeToRounding) {
   for (const int dimension : {2, 3}) {
     Scene scene = short_dam_break(dimension);

@@ -52,7 +52,7 @@ TEST(Snapshot, HoldsEveryQuantityOfTheTable) {
     simulation->fill(snapshot, request);
     ASSERT_EQ(snapshot.fluid.fields.size(), quantities.size());
     for (const QuantityFacts& facts : quantities) {
-      const Field& field = snapshot.fluid.field(facts.quantity);
+      const FieldValues& field = snapshot.fluid.field(facts.quantity);
       EXPECT_EQ(field.components, components_of(facts.quantity, dimension)) << facts.name;
       const std::size_t numbers = field.components * snapshot.fluid.count;
       if (facts.kind == NumberKind::integer) {

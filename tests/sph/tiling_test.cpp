@@ -45,10 +45,10 @@ void expect_sorted(const Tiling<Dim>& tiling, const Positions<Dim>& positions,
       ++seen[id];
       for (int d = 0; d < Dim; ++d) {
         // A float and the error of a float: 48 bits of half a tile's width; the sum rounds to the 53 bits of a double.
-        const double edge = tiling.lattice().edge();
+        const double edge = tiling.lattice().edge(d);
         EXPECT_NEAR(positions.position(slot)[d], points[id][d], edge * 0x1p-49 + std::abs(points[id][d]) * 0x1p-52);
         // What pairs use: an error of at most 1e-6 spacings. [README, positions]
-        EXPECT_LE(std::abs(positions.rest[d][slot]), 1e-6 * dx);
+        EXPECT_LE(std::abs(positions.compensation[d][slot]), 1e-6 * dx);
         EXPECT_LE(std::abs(positions.x[d][slot]), 0.5 * edge * (1 + 1e-6));
         const auto cluster = static_cast<std::size_t>(slot / cluster_size);
         EXPECT_LE(tiling.low()[d][cluster], positions.x[d][slot]);

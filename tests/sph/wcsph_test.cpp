@@ -1,4 +1,4 @@
-#include "sph/wcsph.h"
+#include "sph/solver.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -44,9 +44,9 @@ std::string told(const Scene& scene, InstructionSet set) {
 template <int Dim>
 void expect_density_and_pressure_of_brute_force(const Scene& scene, const Sampling& sampling, ThreadPool& pool,
                                                 InstructionSet set) {
-  Wcsph<Dim> solver(scene, sampling, pool, set);
-  solver.find_neighbours();
-  solver.compute_density_and_pressure();
+  const auto owned_solver = make_solver<Dim>(scene, sampling, pool, set);
+  SphSolver<Dim>& solver = *owned_solver;
+  solver.refresh();
   const State<Dim> state(solver);
   const BruteForce<Dim> exact{scene, state};
   const std::vector<double> rho = exact.densities();
@@ -93,7 +93,8 @@ TYPED_TEST(WcsphIn, AccelerationEqualsADoublePrecisionBruteForce) {
   for_each_kernel(viscous_and_cohesive_dam_break(dim), [&](const Scene& scene) {
     const Sampling sampling = shaken(scene, 3);
     for (const InstructionSet set : usable_instruction_sets()) {
-      Wcsph<dim> solver(scene, sampling, pool, set);
+      const auto owned_solver = make_solver<dim>(scene, sampling, pool, set);
+      SphSolver<dim>& solver = *owned_solver;
       accelerate(solver);
       const State<dim> state(solver);
       const BruteForce<dim> exact{scene, state};
@@ -188,7 +189,8 @@ std::vector<Vec<Dim, double>> accelerations_over_all_pairs(const State<Dim>& sta
 
 template <int Dim>
 void expect_equal_to_all_pairs(const Scene& scene, const Sampling& sampling, ThreadPool& pool, InstructionSet set) {
-  Wcsph<Dim> solver(scene, sampling, pool, set);
+  const auto owned_solver = make_solver<Dim>(scene, sampling, pool, set);
+  SphSolver<Dim>& solver = *owned_solver;
   accelerate(solver);
   const State<Dim> state(solver);
   const std::vector<double>& pressure = state.pressure_term;
@@ -239,7 +241,8 @@ TYPED_TEST(WcsphIn, ConservesMomentumToRoundOff) {
       scene.fluid.surface_tension = {SurfaceTensionModel::hinsch2024, 1e-3};
       scene.solver.kernel = {kernel, 1.2};
       scene.solver.negative_pressure = NegativePressure::keep;
-      Wcsph<dim> solver(scene, shaken(scene, 5), pool);
+      const auto owned_solver = make_solver<dim>(scene, shaken(scene, 5), pool, default_instruction_set());
+      SphSolver<dim>& solver = *owned_solver;
       accelerate(solver);
       const State<dim> state(solver);
       const auto n = static_cast<double>(state.size());
@@ -270,7 +273,8 @@ TYPED_TEST(WcsphIn, LargestSignalSpeedAndAccelerationAreThoseOfAllParticles) {
     const double per_density = 0.5 * (exponent - 1);
     const double by_formula = (per_density * 3 + 8) * rounding;
     for (const InstructionSet set : usable_instruction_sets()) {
-      Wcsph<dim> solver(scene, sampling, pool, set);
+      const auto owned_solver = make_solver<dim>(scene, sampling, pool, set);
+      SphSolver<dim>& solver = *owned_solver;
       accelerate(solver);
       const State<dim> state(solver);
       const BruteForce<dim> exact{scene, state};
@@ -280,11 +284,11 @@ TYPED_TEST(WcsphIn, LargestSignalSpeedAndAccelerationAreThoseOfAllParticles) {
       }
       EXPECT_NEAR(solver.max_signal_speed(), fastest, (by_formula + per_density * density_tolerance) * fastest);
 
-      auto& velocity = solver.fluid().velocity[0];
+      auto& velocity = solver.velocity().values[0];
       for (std::size_t slot = 0; slot < solver.fluid().slots(); ++slot) {
         if (solver.fluid().empty(slot)) continue;
         const float before = std::exchange(velocity[slot], 1e4F);  // no other has such a speed, nor such a drag
-        solver.compute_accelerations();
+        solver.accelerate();
         const State<dim> now(solver);
         const auto i = static_cast<std::size_t>(solver.fluid().id[slot]);
         const double signal = BruteForce<dim>{scene, now}.signal_speed(i, now.density[i]);
@@ -308,14 +312,15 @@ TYPED_TEST(WcsphIn, IntegrationEqualsEulerCromerInDouble) {
   constexpr int steps = 100;
   const double widest = 1;  // m, more than any place in its tile
   for (const InstructionSet set : usable_instruction_sets()) {
-    Wcsph<dim> solver(scene, sampling, pool, set);
+    const auto owned_solver = make_solver<dim>(scene, sampling, pool, set);
+    SphSolver<dim>& solver = *owned_solver;
     accelerate(solver);
     State<dim> last(solver);
     auto place = last.position;
     auto tolerance = last.position;
     for (auto& each : tolerance) each = {};
     for (int step = 0; step < steps; ++step) {
-      ASSERT_FALSE(solver.integrate(dt));
+      ASSERT_FALSE(solver.move(dt));
       const State<dim> now(solver);
       for (std::size_t i = 0; i < now.size(); ++i) {
         for (int d = 0; d < dim; ++d) {
@@ -345,12 +350,14 @@ TYPED_TEST(WcsphIn, InstructionSetsAgreeParticleByParticle) {
   ThreadPool pool(2);
   for_each_kernel(viscous_and_cohesive_dam_break(dim), [&](const Scene& scene) {
     const Sampling sampling = shaken(scene, 8);
-    Wcsph<dim> first(scene, sampling, pool, usable_instruction_sets().front());
+    const auto owned_first = make_solver<dim>(scene, sampling, pool, usable_instruction_sets().front());
+    SphSolver<dim>& first = *owned_first;
     accelerate(first);
     const State<dim> one(first);
     const double largest = largest_norm<dim>(one.acceleration);
     for (const InstructionSet set : usable_instruction_sets()) {
-      Wcsph<dim> solver(scene, sampling, pool, set);
+      const auto owned_solver = make_solver<dim>(scene, sampling, pool, set);
+      SphSolver<dim>& solver = *owned_solver;
       accelerate(solver);
       const State<dim> own(solver);
       for (std::size_t i = 0; i < own.size(); ++i) {
@@ -361,10 +368,10 @@ TYPED_TEST(WcsphIn, InstructionSetsAgreeParticleByParticle) {
       for (std::size_t slot = 0; slot < fluid.slots(); ++slot) {
         if (fluid.empty(slot)) continue;
         const auto i = static_cast<std::size_t>(fluid.id[slot]);
-        fluid.density[slot] = static_cast<float>(one.density[i]);
-        fluid.pressure_term[slot] = static_cast<float>(one.pressure_term[i]);
+        solver.density().data()[slot] = static_cast<float>(one.density[i]);
+        solver.pressure_term().data()[slot] = static_cast<float>(one.pressure_term[i]);
       }
-      solver.compute_accelerations();
+      solver.accelerate();
       const State<dim> same(solver);
       for (std::size_t i = 0; i < same.size(); ++i) {
         for (int d = 0; d < dim; ++d) {
@@ -383,19 +390,20 @@ void expect_found_in_any_slot(const Spoil& spoil) {
   const Sampling sampling = shaken(scene, 9);
   ThreadPool pool(2);
   for (const InstructionSet set : usable_instruction_sets()) {
-    Wcsph<Dim> solver(scene, sampling, pool, set);
+    const auto owned_solver = make_solver<Dim>(scene, sampling, pool, set);
+    SphSolver<Dim>& solver = *owned_solver;
     for (std::size_t slot = 0; slot < solver.fluid().slots(); slot += 7) {  // 7: every lane of 16 in turn
       solver.reset(sampling);
-      solver.find_neighbours();
+      solver.refresh();
       if (solver.fluid().empty(slot)) continue;
-      spoil(solver.fluid(), slot);
-      solver.compute_density_and_pressure();
-      solver.compute_accelerations();
-      const std::optional<Escape> escape = solver.integrate(1e-6);
+      spoil(solver, slot);
+      solver.recompute();
+      solver.accelerate();
+      const std::optional<Runaway> escape = solver.move(1e-6);
       ASSERT_TRUE(escape) << name_of(set) << ", slot " << slot;
       EXPECT_FALSE(std::isfinite(escape->distance)) << name_of(set);
       EXPECT_LE(escape->id, solver.fluid().id[slot]) << name_of(set);
-      const auto v = convert<double>(solver.fluid().velocity_of(slot));
+      const auto v = convert<double>(solver.fluid().vector_at(solver.velocity(), slot));
       EXPECT_FALSE(std::isfinite(dot(v, v))) << name_of(set) << ", slot " << slot;
     }
   }
@@ -403,14 +411,16 @@ void expect_found_in_any_slot(const Spoil& spoil) {
 
 TYPED_TEST(WcsphIn, FindsAVelocityThatIsNoNumber) {
   constexpr int dim = TypeParam::value;
-  expect_found_in_any_slot<dim>(
-      [](auto& fluid, std::size_t slot) { fluid.velocity[dim - 1][slot] = std::numeric_limits<float>::quiet_NaN(); });
+  expect_found_in_any_slot<dim>([](auto& solver, std::size_t slot) {
+    solver.velocity().data(dim - 1)[slot] = std::numeric_limits<float>::quiet_NaN();
+  });
 }
 
 TYPED_TEST(WcsphIn, FindsAPlaceThatIsNoNumber) {
   constexpr int dim = TypeParam::value;
-  expect_found_in_any_slot<dim>(
-      [](auto& fluid, std::size_t slot) { fluid.x[dim - 1][slot] = std::numeric_limits<float>::quiet_NaN(); });
+  expect_found_in_any_slot<dim>([](auto& solver, std::size_t slot) {
+    solver.fluid().x[dim - 1][slot] = std::numeric_limits<float>::quiet_NaN();
+  });
 }
 
 }  // namespace

@@ -5,8 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "sph/engine/engine.h"
-#include "sph/neighbours.h"
+#include "sph/pair_search.h"
 
 namespace weir {
 
@@ -36,11 +35,11 @@ inline void drop_empty(IdPairs& pairs) {
 
 // (i, j) and (j, i) for fluid particles that the lists bring together.
 template <int Dim>
-IdPairs listed_fluid_pairs(const Neighbours<Dim>& neighbours, const Positions<Dim>& fluid, int rows) {
+IdPairs listed_fluid_pairs(const PairSearch<Dim>& search, const ParticleSet<Dim>& fluid, int rows) {
   IdPairs pairs;
-  for (std::size_t tile = 0; tile < neighbours.tiling().tiles().size(); ++tile) {
-    const std::int32_t* list = neighbours.lists().fluid[tile].data();
-    const Tile slots = neighbours.tiling().tiles()[tile];
+  for (std::size_t tile = 0; tile < search.tiling(fluid).tiles().size(); ++tile) {
+    const std::int32_t* list = search.lists(fluid, fluid).listed[tile].data();
+    const Tile slots = search.tiling(fluid).tiles()[tile];
     for (std::int32_t row = slots.begin; row < slots.end; row += rows) {
       const auto both = [&](std::int32_t cluster, int i, int j) {
         pairs.insert({fluid.id[row + i], fluid.id[cluster + j]});
@@ -66,11 +65,11 @@ IdPairs listed_fluid_pairs(const Neighbours<Dim>& neighbours, const Positions<Di
 
 // (i, j) for a fluid particle i and a wall particle j.
 template <int Dim>
-IdPairs listed_wall_pairs(const Neighbours<Dim>& neighbours, const Positions<Dim>& fluid, const Positions<Dim>& walls,
+IdPairs listed_wall_pairs(const PairSearch<Dim>& search, const ParticleSet<Dim>& fluid, const ParticleSet<Dim>& walls,
                           int rows) {
   IdPairs pairs;
-  for (std::size_t tile = 0; tile < neighbours.tiling().tiles().size(); ++tile) {
-    const std::int32_t* list = neighbours.lists().walls[tile].data();
+  for (std::size_t tile = 0; tile < search.tiling(fluid).tiles().size(); ++tile) {
+    const std::int32_t* list = search.lists(fluid, walls).listed[tile].data();
     for (std::int32_t row = *list++; row >= 0; row = *list++) {
       list = detail::take_segments<Dim>(list, fluid, row, rows, walls, pairs);
     }

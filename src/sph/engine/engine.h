@@ -1,112 +1,119 @@
-// The loops of one step that are built once per instruction set, and the choice among them.
+// The engine: visits the particles of a set, and pairs of particles, tile by tile. What is computed comes from passes and
+// updates (sph/passes); which of them, and in what order, from a solver.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <initializer_list>
+#include <type_traits>
+#include <vector>
 
-#include "core/types.h"
-#include "scene/scene.h"
-#include "simd/instruction_set.h"
-#include "sph/pair_lists.h"
+#include "core/aligned.h"
+#include "core/thread_pool.h"
+#include "sph/engine/built.h"
+#include "sph/pair_search.h"
+#include "sph/particle_set.h"
 
 namespace weir {
 
-// Makes the lists of one tile of the fluid.
+// A pass over pairs with particles of one source, ready to run.
 template <int Dim>
-using ListPairs = void (*)(const ListInput<Dim>& in, std::int32_t tile, IntBuffer& fluid_list, IntBuffer& wall_list,
-                           IntBuffer& scratch);
+class PairStage {
+ public:
+  // `Loop` is Within<Pass> or Between<Pass>.
+  template <class Loop, class Pass>
+  static PairStage of(InstructionSet set, const Pass& pass, const ParticleSet<Dim>& source) {
+    static_assert(std::is_trivially_copyable_v<Pass> && sizeof(Pass) <= sizeof(pass_));
+    PairStage stage;
+    stage.run_ = pairs_for<Loop, Dim>(set);
+    stage.source_ = &source;
+    stage.width_ = sum_width<Pass::components>;
+    std::memcpy(stage.pass_, &pass, sizeof pass);
+    return stage;
+  }
 
-// Densities of one tile, and p / rho^2 from them; and the lists without what is beyond the support, for loops over the
-// same places.
-template <int Dim>
-struct DensityInput {
-  PairInput<Dim> pairs;
-  IntBuffer* near_fluid_lists = nullptr;  // per tile
-  IntBuffer* near_wall_lists = nullptr;
-  bool walls = false;  // whether there are any
-  double h = 0;        // m
-  float m = 0;         // kg
-  float rest_density = 0;
-  float stiffness = 0;  // k, Pa
-  int exponent = 0;
-  bool clamp_negative_pressure = false;
-  const std::int32_t* id = nullptr;
-  float* density = nullptr;
-  float* pressure_term = nullptr;  // p / rho^2
-};
-template <int Dim>
-using ComputeDensity = void (*)(const DensityInput<Dim>& in, std::int32_t tile);
+  const ParticleSet<Dim>& source() const { return *source_; }
+  std::size_t width() const { return width_; }
+  void run(const PairArguments<Dim>& in) const { run_(pass_, in); }
 
-// Accelerations of one tile: sums over the fluid and over walls, then those, scaled, and gravity.
-template <int Dim>
-struct AccelerationArguments {
-  PairInput<Dim> pairs;  // near lists do
-  double h = 0;          // m
-  double m = 0;          // kg
-  float rest_density = 0;
-  int exponent = 0;
-  float sound_speed = 0;  // at rest density, m/s
-  double nu = 0;          // m^2/s
-  double s = 0;           // of the surface tension, m^(Dim + 2)/s^2
-  float gravity[Dim] = {};
-  const std::int32_t* id = nullptr;
-  const float* density = nullptr;
-  const float* pressure_term = nullptr;
-  const float* velocity[Dim] = {};
-  float* sums = nullptr;  // of the tile's pairs, room for sum_width<Dim> floats a slot up to the end of a group
-  float* acceleration[Dim] = {};
-};
-template <int Dim>
-using AddAcceleration = void (*)(const AccelerationArguments<Dim>& in, std::int32_t tile);
-// What bounds the time step, the largest of a tile's particles.
-struct AccelerationExtremes {
-  float acceleration_squared = 0;  // m^2/s^4
-  float signal_speed = 0;          // m/s
-};
-template <int Dim>
-using FinishAcceleration = AccelerationExtremes (*)(const AccelerationArguments<Dim>& in, std::int32_t tile);
-
-// What moving a tile's particles by one step found.
-template <int Dim>
-struct StepExtremes {
-  float speed_squared = 0;  // largest, m^2/s^2
-  DisplacementBox<Dim> moved;
-  bool escaped = false;  // a particle moved farther than `reach`, or is not finite
-};
-template <int Dim>
-struct IntegrateArguments {
-  float dt = 0;     // s
-  float reach = 0;  // m
-  const Tile* tiles = nullptr;
-  const std::int32_t* id = nullptr;
-  const float* acceleration[Dim] = {};
-  float* x[Dim] = {};
-  float* rest[Dim] = {};
-  float* velocity[Dim] = {};
-};
-template <int Dim>
-using Integrate = StepExtremes<Dim> (*)(const IntegrateArguments<Dim>& in, std::int32_t tile);
-
-// Which terms a scene has; loops exist for each choice, so that absent ones cost nothing.
-struct Terms {
-  KernelName kernel = KernelName::cubic_spline;
-  ViscosityModel viscosity = ViscosityModel::none;
-  SurfaceTensionModel surface_tension = SurfaceTensionModel::none;
-  WallSlip wall_slip = WallSlip::no_slip;
+ private:
+  PairStage() = default;
+  RunPairs<Dim> run_ = nullptr;
+  const ParticleSet<Dim>* source_ = nullptr;
+  std::size_t width_ = 0;  // floats a particle of its sums
+  alignas(16) std::byte pass_[192]{};
 };
 
 template <int Dim>
-struct Loops {
-  int rows = 0;  // particles that are listed and visited together
-  ListPairs<Dim> list_pairs = nullptr;
-  ComputeDensity<Dim> density = nullptr;
-  AddAcceleration<Dim> fluid_acceleration = nullptr;
-  AddAcceleration<Dim> wall_acceleration = nullptr;
-  FinishAcceleration<Dim> finish_acceleration = nullptr;
-  Integrate<Dim> integrate = nullptr;
-};
+class Engine {
+ public:
+  Engine(InstructionSet instruction_set, double support_radius, PairSearch<Dim>& search, ThreadPool& pool)
+      : instruction_set_(instruction_set),
+        support_radius_(static_cast<float>(support_radius)),
+        search_(search),
+        pool_(pool) {}
 
-// `set` must be usable.
-template <int Dim>
-Loops<Dim> loops_for(InstructionSet set, const Terms& terms);
+  // Applies `update` to every particle of the set.
+  template <class Update>
+  typename Update::Result each(ParticleSet<Dim>& set, const Update& update) {
+    return sweep(set, {}, update);
+  }
+
+  // Tile by tile of the target, forms the sums of the stages and applies `update`, which reads them. Stages whose source has
+  // no particles are not there, nor are tiles that no source is near. Results are combined in the order of tiles.
+  template <class Update>
+  typename Update::Result sweep(ParticleSet<Dim>& target, std::initializer_list<PairStage<Dim>> stages,
+                                const Update& update) {
+    const Tiling<Dim>& tiling = search_.tiling(target);
+    std::vector<Active> active;
+    bool everywhere = stages.size() == 0;
+    for (const PairStage<Dim>& stage : stages) {
+      if (stage.source().count == 0) continue;
+      active.push_back({&stage, search_.pairs(target, stage.source())});
+      everywhere = everywhere || &stage.source() == &target;
+    }
+    const auto apply = each_for<Update>(instruction_set_);
+    std::vector<typename Update::Result> results(tiling.tiles().size());
+    pool_.for_each(results.size(), [&](std::size_t tile) {
+      if (!everywhere && !search_.near(target, tile)) return;
+      thread_local AlignedVector<float> sums;
+      const auto slots = static_cast<std::size_t>(tiling.slots_of(tile));
+      for (std::size_t k = 0; k < active.size(); ++k) {
+        sums.resize(larger(sums.size(), active[k].stage->width() * slots));
+        active[k].stage->run({.pairs = active[k].pairs,
+                              .tile = static_cast<std::int32_t>(tile),
+                              .support_radius = support_radius_,
+                              .first = k == 0,
+                              .sums = sums.data()});
+      }
+      results[tile] = apply(update, {.slots = tiling.tiles()[tile], .id = target.id.data(), .sums = sums.data()});
+    });
+    return combine(target, results);
+  }
+
+ private:
+  struct Active {
+    const PairStage<Dim>* stage;
+    PairInput<Dim> pairs;
+  };
+
+  template <class Result>
+  Result combine(const ParticleSet<Dim>& target, const std::vector<Result>& results) {
+    Result all;
+    if constexpr (!std::is_empty_v<Result>) {
+      for (std::size_t tile = 0; tile < results.size(); ++tile) {
+        all.combine(results[tile]);
+        if constexpr (requires { results[tile].moved; }) search_.follow(target, tile, results[tile].moved);
+      }
+    }
+    return all;
+  }
+
+  InstructionSet instruction_set_;
+  float support_radius_;  // m
+  PairSearch<Dim>& search_;
+  ThreadPool& pool_;
+};
 
 }  // namespace weir

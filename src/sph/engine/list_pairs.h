@@ -1,5 +1,5 @@
-// Makes the lists of one tile, in two stages: for a group of particles the clusters whose boxes are near its box, then
-// for each row of the group those that hold a particle near one of the row's.
+// Builds the lists of one tile, in two stages: for a group of particles the clusters whose boxes are near its box, then
+// for each i-cluster of the group those that hold a particle near one of its own.
 #pragma once
 
 #include "simd/lanes.h"
@@ -41,13 +41,13 @@ WEIR_INLINE void append_near_clusters(const TilesView<Dim>& set, const Box<Dim>&
 template <int Dim>
 WEIR_INLINE void append_candidates(const ListInput<Dim>& in, const TilesView<Dim>& set, std::int32_t tile,
                                    const Box<Dim>& box, std::int32_t from, IntBuffer& found) {
-  // Positions were rounded when they were sorted into columns.
-  const float reach = in.reach + 1e-5F * in.edge;
-  const float half = 0.5F * in.edge;
-  const float columns_per_length = static_cast<float>(in.columns) / in.edge;
   std::int32_t low[Dim];
   std::int32_t high[Dim];
   for (int d = 0; d < Dim; ++d) {
+    // Positions were rounded when they were sorted into columns.
+    const float reach = in.reach + 1e-5F * in.edge[d];
+    const float half = 0.5F * in.edge[d];
+    const float columns_per_length = static_cast<float>(in.columns) / in.edge[d];
     // Columns hold what was there when they were sorted.
     float low_then = box.low[d] - reach;
     float high_then = box.high[d] + reach;
@@ -56,8 +56,8 @@ WEIR_INLINE void append_candidates(const ListInput<Dim>& in, const TilesView<Dim
       high_then -= set.moved[tile].least[d];
     }
     if (low_then > half || high_then < -half) return;
-    const auto column = [&](float place) {
-      const float number = (place + half) * columns_per_length;
+    const auto column = [&](float position) {
+      const float number = (position + half) * columns_per_length;
       const auto whole = static_cast<std::int32_t>(number);
       return number < 0 ? 0 : (whole >= in.columns ? in.columns - 1 : whole);
     };
@@ -70,7 +70,7 @@ WEIR_INLINE void append_candidates(const ListInput<Dim>& in, const TilesView<Dim
   const auto append_columns = [&](std::int32_t first_column, std::int32_t last_column) {
     const std::int32_t begin = columns[first_column] / cluster;
     const std::int32_t end = (columns[last_column + 1] + cluster - 1) / cluster;
-    append_near_clusters(set, box, begin > from ? begin : from, end, reach, found);
+    append_near_clusters(set, box, begin > from ? begin : from, end, in.reach + 1e-5F * in.edge[0], found);
     if (end > from) from = end;
   };
   if constexpr (Dim == 2) {
@@ -127,7 +127,7 @@ WEIR_INLINE void append_segments(const ListInput<Dim>& in, const TilesView<Dim>&
     const Segment& segment = segments[s];
     list.reserve_more(static_cast<std::size_t>(segment.end - segment.begin + 2));
     Vec<Dim, Lanes> shifted;
-    for (int d = 0; d < Dim; ++d) shifted[d] = row[d] - Lanes(in.edge * static_cast<float>(segment.offset[d]));
+    for (int d = 0; d < Dim; ++d) shifted[d] = row[d] - Lanes(in.edge[d] * static_cast<float>(segment.offset[d]));
     std::int32_t* const header = list.data() + list.size();
     const std::int32_t* const out = write_near<Dim>(shifted, positions_of(set), in.reach, candidates + segment.begin,
                                                     candidates + segment.end, header + 1);
@@ -147,164 +147,118 @@ WEIR_INLINE void append(IntBuffer& list, std::int32_t number) {
 template <int Dim>
 class TileLister {
  public:
-  TileLister(const ListInput<Dim>& in, std::int32_t tile, IntBuffer& fluid_list, IntBuffer& wall_list,
-             IntBuffer& scratch)
-      : in_(in), tile_(tile), fluid_list_(fluid_list), wall_list_(wall_list), scratch_(scratch) {}
+  TileLister(const ListInput<Dim>& in, std::int32_t tile, IntBuffer& list, IntBuffer& scratch)
+      : in_(in), tile_(tile), list_(list), candidates_(scratch) {}
 
-  void list() {
-    fluid_list_.set_size(0);
-    wall_list_.set_size(0);
-    const Tile slots = in_.fluid.tiles[tile_];
-    for (std::int32_t group = slots.begin; group < slots.end; group += group_size) {
-      const std::int32_t end = slots.end < group + group_size ? slots.end : group + group_size;
-      if (!in_.all_pairs) collect(group, end);
-      for (std::int32_t row = group; row < end; row += rows) {
-        if (in_.all_pairs) {
-          list_row_naively(row);
+  // Of a set with itself.
+  void list_within() {
+    for_each_group([&](std::int32_t group, const Box<Dim>& box, std::int32_t end) {
+      candidates_.set_size(0);
+      append_candidates(in_, in_.source, tile_, box, group / cluster, candidates_);
+      const auto own_end = static_cast<std::int32_t>(candidates_.size());
+      collect_segments(box, false);
+      for (std::int32_t i = group; i < end; i += rows) {
+        const Vec<Dim, Lanes> row = load_row(i);
+        append_own(i, row, own_end);
+        append_segments(in_, in_.source, row, segments_, segment_count_, candidates_.data(), list_);
+        append(list_, 0);
+      }
+    });
+  }
+
+  // Of one set and another.
+  void list_between() {
+    for_each_group([&](std::int32_t group, const Box<Dim>& box, std::int32_t end) {
+      candidates_.set_size(0);
+      collect_segments(box, true);
+      if (segment_count_ == 0) return;
+      for (std::int32_t i = group; i < end; i += rows) {
+        const std::size_t before = list_.size();
+        append(list_, i);
+        append_segments(in_, in_.source, load_row(i), segments_, segment_count_, candidates_.data(), list_);
+        if (list_.size() == before + 1) {
+          list_.set_size(before);
         } else {
-          list_row(row);
+          append(list_, 0);
         }
       }
-    }
-    append(wall_list_, -1);
+    });
+    append(list_, -1);
   }
 
  private:
-  void collect(std::int32_t group, std::int32_t end) {
-    Box<Dim> box;
-    for (int d = 0; d < Dim; ++d) {
-      box.low[d] = in_.fluid.low[d][group / cluster];
-      box.high[d] = in_.fluid.high[d][group / cluster];
-      for (std::int32_t c = group / cluster + 1; c * cluster < end; ++c) {
-        if (in_.fluid.low[d][c] < box.low[d]) box.low[d] = in_.fluid.low[d][c];
-        if (in_.fluid.high[d][c] > box.high[d]) box.high[d] = in_.fluid.high[d][c];
+  // visit(first slot, box of its particles, end of its slots) for each group of the tile.
+  template <class Visit>
+  WEIR_INLINE void for_each_group(const Visit& visit) {
+    list_.set_size(0);
+    const Tile slots = in_.target.tiles[tile_];
+    for (std::int32_t group = slots.begin; group < slots.end; group += group_size) {
+      const std::int32_t end = slots.end < group + group_size ? slots.end : group + group_size;
+      Box<Dim> box;
+      for (int d = 0; d < Dim; ++d) {
+        box.low[d] = in_.target.low[d][group / cluster];
+        box.high[d] = in_.target.high[d][group / cluster];
+        for (std::int32_t c = group / cluster + 1; c * cluster < end; ++c) {
+          if (in_.target.low[d][c] < box.low[d]) box.low[d] = in_.target.low[d][c];
+          if (in_.target.high[d][c] > box.high[d]) box.high[d] = in_.target.high[d][c];
+        }
       }
+      visit(group, box, end);
     }
-    scratch_.set_size(0);
-    append_candidates(in_, in_.fluid, tile_, box, group / cluster, scratch_);
-    own_end_ = static_cast<std::int32_t>(scratch_.size());
-    fluid_segments_ = collect_segments(in_.fluid, box, false, fluid_);
-    wall_segments_ = in_.walls.tile_count > 0 ? collect_segments(in_.walls, box, true, walls_) : 0;
   }
 
-  int collect_segments(const TilesView<Dim>& set, const Box<Dim>& box, bool own_tile, Segment* segments) {
-    int count = 0;
+  void collect_segments(const Box<Dim>& box, bool own_tile) {
+    segment_count_ = 0;
     for (int code = 0; code < tile_codes<Dim>; ++code) {
       if (code == own_tile_code<Dim> && !own_tile) continue;
-      const std::int32_t beside = set.adjacent[static_cast<std::ptrdiff_t>(tile_) * tile_codes<Dim> + code];
+      const std::int32_t beside = in_.adjacent[static_cast<std::ptrdiff_t>(tile_) * tile_codes<Dim> + code];
       if (beside < 0) continue;
       const TileCoordinates<Dim> offset = offset_of_code<Dim>(code);
-      Segment& segment = segments[count];
+      Segment& segment = segments_[segment_count_];
       Box<Dim> shifted;
       for (int d = 0; d < Dim; ++d) {
         segment.offset[d] = offset[d];
-        shifted.low[d] = box.low[d] - in_.edge * static_cast<float>(offset[d]);
-        shifted.high[d] = box.high[d] - in_.edge * static_cast<float>(offset[d]);
+        shifted.low[d] = box.low[d] - in_.edge[d] * static_cast<float>(offset[d]);
+        shifted.high[d] = box.high[d] - in_.edge[d] * static_cast<float>(offset[d]);
       }
       segment.code = code;
-      segment.begin = static_cast<std::int32_t>(scratch_.size());
-      append_candidates(in_, set, beside, shifted, 0, scratch_);
-      segment.end = static_cast<std::int32_t>(scratch_.size());
-      if (segment.end > segment.begin) ++count;
-    }
-    return count;
-  }
-
-  void list_row(std::int32_t first_slot) {
-    Vec<Dim, Lanes> row;
-    load_row(first_slot, row);
-    append_own(first_slot, row);
-    append_segments(in_, in_.fluid, row, fluid_, fluid_segments_, scratch_.data(), fluid_list_);
-    append(fluid_list_, 0);
-
-    if (wall_segments_ == 0) return;
-    const std::size_t before = begin_walls(first_slot);
-    append_segments(in_, in_.walls, row, walls_, wall_segments_, scratch_.data(), wall_list_);
-    end_walls(before);
-  }
-
-  // Against every cluster there is, in the same order.
-  void list_row_naively(std::int32_t first_slot) {
-    Vec<Dim, Lanes> row;
-    load_row(first_slot, row);
-    scratch_.set_size(0);
-    take_all(in_.fluid.tiles[tile_]);
-    own_end_ = static_cast<std::int32_t>(scratch_.size());
-    append_own(first_slot, row);
-    append_all(in_.fluid, row, false, fluid_list_);
-    append(fluid_list_, 0);
-
-    const std::size_t before = begin_walls(first_slot);
-    append_all(in_.walls, row, true, wall_list_);
-    end_walls(before);
-  }
-
-  void take_all(const Tile& slots) {
-    for (std::int32_t slot = slots.begin; slot < slots.end; slot += cluster) append(scratch_, slot);
-  }
-
-  void append_all(const TilesView<Dim>& set, const Vec<Dim, Lanes>& row, bool own_tile, IntBuffer& list) {
-    for (std::int32_t tile = 0; tile < set.tile_count; ++tile) {
-      Segment segment{};
-      bool beside = false;
-      for (int d = 0; d < Dim; ++d) {
-        segment.offset[d] = set.coordinates[tile][d] - in_.fluid.coordinates[tile_][d];
-        beside = beside || segment.offset[d] != 0;
-        segment.code =
-            3 * segment.code + segment.offset[d] + 1;  // means something for adjacent tiles, and only those are near
-      }
-      if (!beside && !own_tile) continue;
-      scratch_.set_size(0);
-      take_all(set.tiles[tile]);
-      segment.end = static_cast<std::int32_t>(scratch_.size());
-      append_segments(in_, set, row, &segment, 1, scratch_.data(), list);
+      segment.begin = static_cast<std::int32_t>(candidates_.size());
+      append_candidates(in_, in_.source, beside, shifted, 0, candidates_);
+      segment.end = static_cast<std::int32_t>(candidates_.size());
+      if (segment.end > segment.begin) ++segment_count_;
     }
   }
 
-  void load_row(std::int32_t first_slot, Vec<Dim, Lanes>& row) const {
+  Vec<Dim, Lanes> load_row(std::int32_t first_slot) const {
     // Empty slots are near nothing, not even each other.
-    const Lanes nobody = __builtin_nanf("");
+    const Lanes not_there = __builtin_nanf("");
+    Vec<Dim, Lanes> row;
     for (int d = 0; d < Dim; ++d) {
-      const Lanes x = load_rows(in_.fluid.x[d] + first_slot);
-      row[d] = select(less(x, 0.5F * nowhere), x, nobody);
+      const Lanes x = load_rows(in_.target.x[d] + first_slot);
+      row[d] = select(less(x, 0.5F * nowhere), x, not_there);
     }
+    return row;
   }
 
-  // Clusters of the own tile after the row's own, which needs no listing.
-  void append_own(std::int32_t first_slot, const Vec<Dim, Lanes>& row) {
-    fluid_list_.reserve_more(static_cast<std::size_t>(own_end_ + 2));
-    std::int32_t* const count = fluid_list_.data() + fluid_list_.size();
-    const std::int32_t* candidate = scratch_.data();
-    const std::int32_t* const end = candidate + own_end_;
+  // Clusters of the own tile after the i-cluster's own, which needs no listing.
+  void append_own(std::int32_t first_slot, const Vec<Dim, Lanes>& row, std::int32_t own_end) {
+    list_.reserve_more(static_cast<std::size_t>(own_end + 2));
+    std::int32_t* const count = list_.data() + list_.size();
+    const std::int32_t* candidate = candidates_.data();
+    const std::int32_t* const end = candidate + own_end;
     while (candidate != end && *candidate <= first_slot) ++candidate;  // they ascend
-    const std::int32_t* const out = write_near<Dim>(row, positions_of(in_.fluid), in_.reach, candidate, end, count + 1);
+    const std::int32_t* const out =
+        write_near<Dim>(row, positions_of(in_.source), in_.reach, candidate, end, count + 1);
     *count = static_cast<std::int32_t>(out - count - 1);
-    fluid_list_.set_size(static_cast<std::size_t>(out - fluid_list_.data()));
-  }
-
-  std::size_t begin_walls(std::int32_t first_slot) {
-    append(wall_list_, first_slot);
-    return wall_list_.size() - 1;
-  }
-  // A row without walls has no entry.
-  void end_walls(std::size_t before) {
-    if (wall_list_.size() == before + 1) {
-      wall_list_.set_size(before);
-    } else {
-      append(wall_list_, 0);
-    }
+    list_.set_size(static_cast<std::size_t>(out - list_.data()));
   }
 
   const ListInput<Dim>& in_;
   std::int32_t tile_;
-  IntBuffer& fluid_list_;
-  IntBuffer& wall_list_;
-  IntBuffer& scratch_;  // candidates: of the own tile, then segment by segment
-  std::int32_t own_end_ = 0;
-  Segment fluid_[tile_codes<Dim>];
-  Segment walls_[tile_codes<Dim>];
-  int fluid_segments_ = 0;
-  int wall_segments_ = 0;
+  IntBuffer& list_;
+  IntBuffer& candidates_;  // of the own tile, then segment by segment
+  Segment segments_[tile_codes<Dim>];
+  int segment_count_ = 0;
 };
 
 }  // namespace weir::WEIR_INSTRUCTION_SET

@@ -1,8 +1,3 @@
 // Built once per instruction set.
-#include "sph/engine/wcsph_loops.h"
-
-namespace weir::WEIR_INSTRUCTION_SET {
-
-template Loops<3> loops<3>(const Terms& terms);
-
-}  // namespace weir::WEIR_INSTRUCTION_SET
+#define WEIR_DIMENSION 3
+#include "sph/engine/instantiate.h"

@@ -1,0 +1,25 @@
+// Instantiates the loops of instances.def for WEIR_DIMENSION. Included once per source, no header otherwise.
+#include "sph/engine/loops.h"
+#include "sph/passes/continuity.h"
+#include "sph/passes/density.h"
+#include "sph/passes/momentum.h"
+#include "sph/passes/motion.h"
+#include "sph/passes/wall_state.h"
+
+namespace weir::WEIR_INSTRUCTION_SET {
+
+constexpr int Dim = WEIR_DIMENSION;
+
+#define WEIR_WITHIN(...) template struct Pairs<Within<__VA_ARGS__>>;
+#define WEIR_BETWEEN(...) template struct Pairs<Between<__VA_ARGS__>>;
+#define WEIR_EACH(...) template struct Each<__VA_ARGS__>;
+#include "sph/engine/instances.def"
+#if WEIR_DIMENSION == 2  // the dimension does not matter to these
+template struct Each<SummedDensity>;
+template struct Each<CarriedDensity<false>>;
+template struct Each<CarriedDensity<true>>;
+#endif
+
+template Listers<Dim> listers<Dim>();
+
+}  // namespace weir::WEIR_INSTRUCTION_SET
