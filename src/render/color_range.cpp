@@ -41,7 +41,7 @@ std::array<double, 2> color_range(const Scene& scene, const StaticScene& static_
       return {scene.fluid.rest_density - change, scene.fluid.rest_density + change};
     }
     case RangeEstimate::particle_number:
-      return numbers(count_particles(scene).fluid);
+      return numbers(count_fluid(scene));
     case RangeEstimate::volume_number:
       return numbers(static_cast<std::int64_t>(scene.fluid.volumes.size()));
   }
