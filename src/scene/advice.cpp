@@ -17,7 +17,8 @@ std::vector<std::string> advice(const Scene& scene) {
   const Viscosity& viscosity = scene.fluid.viscosity;
   const double nu = viscosity.model == ViscosityModel::none ? 0 : viscosity.kinematic;
   const double resting = resting_viscosity_per_h_c0 * smoothing_length(scene) * sound_speed(scene);
-  if (!scene.walls.empty() && nu < resting) {
+  const bool mirrored = !scene.walls.empty() && scene.solver.wall_pressure == WallPressure::mirrored;
+  if (mirrored && nu < resting) {
     texts.push_back(
         fmt::format("fluid.viscosity.kinematic is {:.3g} m^2/s: below about 0.01 h c0 = {:.3g} m^2/s, mirrored "
                     "walls may feed energy into the flow until it becomes unstable",

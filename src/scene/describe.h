@@ -165,13 +165,15 @@ void describe(V& v, Wall& wall) {
   v.not_built("plane", EmptyForm::none, "a wall without particles");
 }
 
-// ---- solver -------------------------------------------------------------------------------------------------------
+// ---- domain -------------------------------------------------------------------------------------------------------
 
 template <class V>
 void describe(V& v, Bounds& box) {
   v.field("min", box.min, Spec{.meaning = "lower corner", .unit = "m", .required = true});
   v.field("max", box.max, Spec{.meaning = "upper corner", .unit = "m", .required = true});
 }
+
+// ---- solver -------------------------------------------------------------------------------------------------------
 
 template <class V>
 void describe(V& v, Kernel& kernel) {

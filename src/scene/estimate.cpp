@@ -35,7 +35,7 @@ Estimate estimate(const Scene& scene) {
   const Scene at_origin = relative_to(scene, scene_origin(scene));
   Estimate result;
   result.fluid_particles = count_fluid(at_origin);
-  result.wall_particles = static_cast<std::int64_t>(sample_walls(at_origin).size());
+  result.wall_particles = count_walls(at_origin);
   result.memory = bytes_per_particle(scene) * static_cast<double>(result.fluid_particles) +
                   bytes_per_wall_particle(scene) * static_cast<double>(result.wall_particles);
   result.dt = time_step(scene);

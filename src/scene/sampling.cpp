@@ -87,6 +87,24 @@ Vec3 initial_velocity(const Volume& volume, const Vec3& point, const Vec3& cente
   return velocity;
 }
 
+void sample_walls(const Scene& scene, Sampling& sampling) {
+  const double dx = scene.particle_spacing;
+  const Period period(scene);
+  PointGrid earlier(wall_merge_distance * dx);  // walls; within one wall, particles keep that distance by themselves
+  std::vector<Vec3>& points = sampling.wall_positions;
+  const bool slides =
+      std::any_of(scene.walls.begin(), scene.walls.end(), [](const Wall& wall) { return wall.slide != Vec3(0); });
+  for (const Wall& wall : scene.walls) {
+    const std::size_t first = points.size();
+    for (const Vec3& point : sample_wall(wall, scene.dimension, dx, wall_layers(scene, wall))) {
+      if (period.holds(point) && !earlier.any_near(point, wall_merge_distance * dx)) points.push_back(point);
+    }
+    if (slides) sampling.wall_velocities.resize(points.size(), wall.slide);
+    if (&wall == &scene.walls.back()) break;
+    for (std::size_t i = first; i < points.size(); ++i) earlier.add(points[i], 0);
+  }
+}
+
 }  // namespace
 
 std::vector<Vec3> sample_volume(const Shape& shape, int dimension, double dx) {
@@ -105,21 +123,10 @@ std::int64_t count_fluid(const Scene& scene) {
   return count;
 }
 
-std::vector<Vec3> sample_walls(const Scene& scene, std::vector<std::size_t>* ends) {
-  const double dx = scene.particle_spacing;
-  const Period period(scene);
-  PointGrid earlier(wall_merge_distance * dx);  // walls; within one wall, particles keep that distance by themselves
-  std::vector<Vec3> points;
-  for (const Wall& wall : scene.walls) {
-    const std::size_t first = points.size();
-    for (const Vec3& point : sample_wall(wall, scene.dimension, dx, wall_layers(scene, wall))) {
-      if (period.holds(point) && !earlier.any_near(point, wall_merge_distance * dx)) points.push_back(point);
-    }
-    if (ends != nullptr) ends->push_back(points.size());
-    if (&wall == &scene.walls.back()) break;
-    for (std::size_t i = first; i < points.size(); ++i) earlier.add(points[i], 0);
-  }
-  return points;
+std::int64_t count_walls(const Scene& scene) {
+  Sampling sampling;
+  sample_walls(scene, sampling);
+  return static_cast<std::int64_t>(sampling.wall_positions.size());
 }
 
 Sampling sample(const Scene& scene) {
@@ -140,13 +147,7 @@ Sampling sample(const Scene& scene) {
     });
     sampling.volume_ends.push_back(static_cast<std::int32_t>(sampling.fluid_positions.size()));
   }
-  std::vector<std::size_t> ends;
-  sampling.wall_positions = sample_walls(scene, &ends);
-  const bool slides =
-      std::any_of(scene.walls.begin(), scene.walls.end(), [](const Wall& wall) { return wall.slide != Vec3(0); });
-  if (slides) {
-    for (std::size_t k = 0; k < ends.size(); ++k) sampling.wall_slides.resize(ends[k], scene.walls[k].slide);
-  }
+  sample_walls(scene, sampling);
   return sampling;
 }
 

@@ -12,15 +12,14 @@ struct Sampling {
   std::vector<Vec3> fluid_positions;      // m; the first lies dx/2 inside the faces
   std::vector<Vec3> fluid_velocities;     // m/s, same length
   std::vector<std::int32_t> volume_ends;  // of each volume, one more than its last particle's id
-  std::vector<Vec3> wall_positions;  // m; the first layer lies dx/2 behind the faces, nearest first does not matter
-  std::vector<Vec3> wall_slides;     // m/s, same length; none where no wall slides
+  std::vector<Vec3> wall_positions;   // m; the first layer lies dx/2 behind the faces, nearest first does not matter
+  std::vector<Vec3> wall_velocities;  // m/s, with which the surface slides; same length, or none where no wall does
 };
 Sampling sample(const Scene& scene);
 
-// Its parts: how many fluid particles there will be, and the wall particles.
+// Numbers of particles; fluid is counted without sampling it.
 std::int64_t count_fluid(const Scene& scene);
-// `ends`, if asked for: of each wall, one more than its last particle.
-std::vector<Vec3> sample_walls(const Scene& scene, std::vector<std::size_t>* ends = nullptr);
+std::int64_t count_walls(const Scene& scene);
 
 std::vector<Vec3> sample_volume(const Shape& shape, int dimension, double dx);
 // One wall alone, holes left out of it, before walls are merged.

@@ -35,28 +35,28 @@ class DeltaSph final : public SphSolver<Dim> {
 
   void recompute() override {
     const Span span("density and pressure");
-    engine_.each(fluid_, stages_.carried_density(compression_, controls_));  // p(rho)
-    stages_.extrapolate_walls(engine_, walls_, controls_);
+    engine_.each(fluid_, stages_.carried_density(compression_, parameters_));  // p(rho)
+    stages_.extrapolate_walls(engine_, walls_, parameters_);
   }
 
   void accelerate() override {
     const Span span("accelerations");
     this->bound_by(engine_.sweep(fluid_,
-                                 {stages_.momentum_from_fluid(controls_, true), stages_.cohesion(controls_),
-                                  stages_.momentum_from_walls(controls_, true)},
-                                 stages_.summed_force(controls_)));
+                                 {stages_.momentum_from_fluid(parameters_, true), stages_.cohesion(parameters_),
+                                  stages_.momentum_from_walls(parameters_, true)},
+                                 stages_.summed_force(parameters_)));
   }
 
   std::optional<Runaway> move(double dt) override {
     const Span span("integrate");
     const double c0 =
-        sound_speed_of_state(controls_.stiffness, this->constants_.exponent, this->constants_.rest_density);
+        sound_speed_of_state(parameters_.stiffness, this->constants_.exponent, this->constants_.rest_density);
     const double diffusivity = density_diffusivity(delta_, this->constants_.h, c0);
     engine_.each(fluid_, stages_.template motion<Kick<Dim>>(dt, fluid_));  // v += dt a
     engine_.sweep(
         fluid_,  // rho += dt (-rho div v + diffusion)
-        {stages_.continuity_from_fluid(compression_, diffusivity, controls_), stages_.continuity_from_walls()},
-        stages_.advanced_density(compression_, dt, controls_));
+        {stages_.continuity_from_fluid(compression_, diffusivity, parameters_), stages_.continuity_from_walls()},
+        stages_.advanced_density(compression_, dt, parameters_));
     return this->moved(engine_.each(fluid_, stages_.template motion<Drift<Dim>>(dt, fluid_)), dt);  // x += dt v
   }
 
@@ -65,7 +65,7 @@ class DeltaSph final : public SphSolver<Dim> {
   using SphSolver<Dim>::stages_;
   using SphSolver<Dim>::fluid_;
   using SphSolver<Dim>::walls_;
-  using SphSolver<Dim>::controls_;
+  using SphSolver<Dim>::parameters_;
 
   double delta_;        // strength of the diffusion, 1
   Field& compression_;  // rho / rho0 - 1, the carried form of the density

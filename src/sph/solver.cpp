@@ -42,10 +42,7 @@ SphSolver<Dim>::SphSolver(const Scene& scene, const Sampling& sampling, ThreadPo
                           InstructionSet instruction_set)
     : constants_(scene, instruction_set),
       time_step_(scene.solver.time_step),
-      controls_{.gravity = scene.gravity,
-                .viscosity = scene.fluid.viscosity.kinematic,
-                .surface_tension = scene.fluid.surface_tension.coefficient,
-                .stiffness = weir::stiffness(scene)},
+      parameters_(initial_parameters(scene)),
       fields_(fluid_),
       wall_fields_(walls_, constants_),
       search_({.particle_spacing = scene.particle_spacing,
@@ -58,11 +55,11 @@ SphSolver<Dim>::SphSolver(const Scene& scene, const Sampling& sampling, ThreadPo
       engine_(instruction_set, constants_.support_radius, search_, pool),
       stages_(constants_, fluid_, walls_, fields_, wall_fields_) {
   bounds_.h = constants_.h;
-  if (constants_.viscosity != ViscosityModel::none) bounds_.viscosity = controls_.viscosity;
+  if (constants_.viscosity != ViscosityModel::none) bounds_.viscosity = parameters_.viscosity;
   walls_.start_at(points<Dim>(sampling.wall_positions));
-  for (std::size_t i = 0; i < sampling.wall_slides.size() && wall_fields_.slide != nullptr; ++i) {
+  for (std::size_t i = 0; i < sampling.wall_velocities.size() && wall_fields_.slide != nullptr; ++i) {
     for (int d = 0; d < Dim; ++d) {
-      wall_fields_.slide->data(d)[i] = static_cast<float>(sampling.wall_slides[i][d]);
+      wall_fields_.slide->data(d)[i] = static_cast<float>(sampling.wall_velocities[i][d]);
     }
   }
   search_.add(fluid_, Mobility::moving);
@@ -97,13 +94,13 @@ void SphSolver<Dim>::refresh() {
 }
 
 template <int Dim>
-void SphSolver<Dim>::set(const Controls& controls) {
+void SphSolver<Dim>::set(const Parameters& parameters) {
   // Only a new stiffness changes what refresh() has worked out, and gravity where walls weigh the fluid; the rest acts in
   // the next accelerations.
-  if (controls.stiffness != controls_.stiffness) fresh_ = false;
-  if (constants_.extrapolated && controls.gravity != controls_.gravity) fresh_ = false;
-  controls_ = controls;
-  if (bounds_.viscosity) bounds_.viscosity = controls.viscosity;
+  if (parameters.stiffness != parameters_.stiffness) fresh_ = false;
+  if (constants_.extrapolated && parameters.gravity != parameters_.gravity) fresh_ = false;
+  parameters_ = parameters;
+  if (bounds_.viscosity) bounds_.viscosity = parameters.viscosity;
 }
 
 template <int Dim>

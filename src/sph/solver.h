@@ -45,7 +45,7 @@ class SphSolver {
   // Moves the particles by dt (s) with these accelerations.
   virtual std::optional<Runaway> move(double dt) = 0;
 
-  void set(const Controls& controls);
+  void set(const Parameters& parameters);
   void reset(const Sampling& sampling);  // back to the start
 
   ParticleSet<Dim>& fluid() { return fluid_; }
@@ -80,7 +80,7 @@ class SphSolver {
 
   FluidConstants constants_;
   TimeStep time_step_;
-  Controls controls_;
+  Parameters parameters_;
   ParticleSet<Dim> fluid_;
   ParticleSet<Dim> walls_;
   FluidFields<Dim> fields_;

@@ -114,9 +114,9 @@ PairStage<Dim> Stages<Dim>::with_viscosity(bool viscous, double nu, const Make& 
 }
 
 template <int Dim>
-PairStage<Dim> Stages<Dim>::momentum_from_fluid(const Controls& controls, bool prunes) const {
+PairStage<Dim> Stages<Dim>::momentum_from_fluid(const Parameters& parameters, bool prunes) const {
   return with_kernel(constants_.kernel, [&]<template <int> class Kernel>() {
-    return with_viscosity(true, controls.viscosity, [&]<class... Viscosity>(const Viscosity&... viscosity) {
+    return with_viscosity(true, parameters.viscosity, [&]<class... Viscosity>(const Viscosity&... viscosity) {
       using Pass = MomentumPass<Dim, Kernel, Pressure, Viscosity...>;
       const Pass pass{kernel_at<Kernel, Dim>(constants_.h), of_fluid(), of_fluid(), {Pressure{}, viscosity...}};
       const InstructionSet set = constants_.instruction_set;
@@ -127,11 +127,11 @@ PairStage<Dim> Stages<Dim>::momentum_from_fluid(const Controls& controls, bool p
 }
 
 template <int Dim>
-PairStage<Dim> Stages<Dim>::momentum_from_walls(const Controls& controls, bool prunes) const {
+PairStage<Dim> Stages<Dim>::momentum_from_walls(const Parameters& parameters, bool prunes) const {
   return with_kernel(constants_.kernel, [&]<template <int> class Kernel>() {
     // Walls that let the fluid slip exert no friction.
     return with_viscosity(
-        constants_.no_slip, controls.viscosity, [&]<class... Viscosity>(const Viscosity&... viscosity) {
+        constants_.no_slip, parameters.viscosity, [&]<class... Viscosity>(const Viscosity&... viscosity) {
           const InstructionSet set = constants_.instruction_set;
           const auto stage = [&](const auto& pass) {
             using Pass = std::remove_cvref_t<decltype(pass)>;
@@ -150,21 +150,21 @@ PairStage<Dim> Stages<Dim>::momentum_from_walls(const Controls& controls, bool p
 }
 
 template <int Dim>
-PairStage<Dim> Stages<Dim>::cohesion(const Controls& controls) const {
+PairStage<Dim> Stages<Dim>::cohesion(const Parameters& parameters) const {
   return with_kernel(constants_.kernel, [&]<template <int> class Kernel>() {
     using Pass = CohesionPass<Dim, Kernel>;
     return PairStage<Dim>::template of<Within<Pass>>(
         constants_.instruction_set,
         Pass{kernel_at<Kernel, Dim>(constants_.h),
-             Hinsch2024SurfaceTension::of(controls.surface_tension, constants_.mass)},
+             Hinsch2024SurfaceTension::of(parameters.surface_tension, constants_.mass)},
         constants_.cohesive ? fluid_ : none_);
   });
 }
 
 template <int Dim>
 PairStage<Dim> Stages<Dim>::continuity_from_fluid(const Field& compression, double diffusivity,
-                                                  const Controls& controls) const {
-  const double c0 = sound_speed_of_state(controls.stiffness, constants_.exponent, constants_.rest_density);
+                                                  const Parameters& parameters) const {
+  const double c0 = sound_speed_of_state(parameters.stiffness, constants_.exponent, constants_.rest_density);
   return with_kernel(constants_.kernel, [&]<template <int> class Kernel>() {
     using Pass = ContinuityPass<Dim, Kernel>;
     return PairStage<Dim>::template of<Within<Pass>>(
@@ -173,7 +173,7 @@ PairStage<Dim> Stages<Dim>::continuity_from_fluid(const Field& compression, doub
              .velocity = vector_input<Dim>(fields_.velocity),
              .compression = compression.data(),
              .diffusivity = static_cast<Real>(diffusivity),
-             .g_per_c0_squared = vector_of<Dim>(controls.gravity / (c0 * c0))},
+             .g_per_c0_squared = vector_of<Dim>(parameters.gravity / (c0 * c0))},
         fluid_);
   });
 }
@@ -189,10 +189,10 @@ PairStage<Dim> Stages<Dim>::continuity_from_walls() const {
 }
 
 template <int Dim>
-void Stages<Dim>::extrapolate_walls(Engine<Dim>& engine, ParticleSet<Dim>& walls, const Controls& controls) const {
+void Stages<Dim>::extrapolate_walls(Engine<Dim>& engine, ParticleSet<Dim>& walls, const Parameters& parameters) const {
   if (!constants_.extrapolated || walls.count == 0) return;
   const auto sweep = [&]<bool no_slip>() {
-    WallState<Dim, no_slip> update{.state = constants_.state(controls.stiffness),
+    WallState<Dim, no_slip> update{.state = constants_.state(parameters.stiffness),
                                    .wall_velocity = {},
                                    .density = wall_fields_.density->data(),
                                    .pressure_term = wall_fields_.pressure_term->data()};
@@ -206,7 +206,7 @@ void Stages<Dim>::extrapolate_walls(Engine<Dim>& engine, ParticleSet<Dim>& walls
       return PairStage<Dim>::template of<Between<Pass>>(constants_.instruction_set,
                                                         Pass{.kernel = kernel_at<Kernel, Dim>(constants_.h),
                                                              .of_fluid = of_fluid(),
-                                                             .g_minus_a_w = vector_of<Dim>(controls.gravity)},
+                                                             .g_minus_a_w = vector_of<Dim>(parameters.gravity)},
                                                         fluid_);
     });
     engine.sweep(walls, {stage}, update);
@@ -222,41 +222,41 @@ Real Stages<Dim>::kernel_slope_factor(double factor) const {
 }
 
 template <int Dim>
-SummedDensity Stages<Dim>::summed_density(const Controls& controls) const {
+SummedDensity Stages<Dim>::summed_density(const Parameters& parameters) const {
   const Real alpha = with_kernel(
       constants_.kernel, [&]<template <int> class Kernel>() { return kernel_at<Kernel, Dim>(constants_.h).alpha(); });
   return {.mass = static_cast<Real>(constants_.mass),
           .alpha = alpha,
-          .state = constants_.state(controls.stiffness),
+          .state = constants_.state(parameters.stiffness),
           .density = fields_.density.data(),
           .pressure_term = fields_.pressure_term.data()};
 }
 
 template <int Dim>
-CarriedDensity<true> Stages<Dim>::advanced_density(Field& compression, double dt, const Controls& controls) const {
+CarriedDensity<true> Stages<Dim>::advanced_density(Field& compression, double dt, const Parameters& parameters) const {
   return {.dt = static_cast<Real>(dt),
           // F_ij is -m W' / r, over the rest density as compressions are.
           .factor = kernel_slope_factor(-constants_.mass / constants_.rest_density),
-          .state = constants_.state(controls.stiffness),
+          .state = constants_.state(parameters.stiffness),
           .compression = compression.data(),
           .density = fields_.density.data(),
           .pressure_term = fields_.pressure_term.data()};
 }
 
 template <int Dim>
-CarriedDensity<false> Stages<Dim>::carried_density(Field& compression, const Controls& controls) const {
-  return {.state = constants_.state(controls.stiffness),
+CarriedDensity<false> Stages<Dim>::carried_density(Field& compression, const Parameters& parameters) const {
+  return {.state = constants_.state(parameters.stiffness),
           .compression = compression.data(),
           .density = fields_.density.data(),
           .pressure_term = fields_.pressure_term.data()};
 }
 
 template <int Dim>
-SummedForce<Dim> Stages<Dim>::summed_force(const Controls& controls) const {
-  const double c0 = sound_speed_of_state(controls.stiffness, constants_.exponent, constants_.rest_density);
+SummedForce<Dim> Stages<Dim>::summed_force(const Parameters& parameters) const {
+  const double c0 = sound_speed_of_state(parameters.stiffness, constants_.exponent, constants_.rest_density);
   const auto rest_density = static_cast<Real>(constants_.rest_density);
   SummedForce<Dim> update{.factor = kernel_slope_factor(-constants_.mass),
-                          .gravity = vector_of<Dim>(controls.gravity),
+                          .gravity = vector_of<Dim>(parameters.gravity),
                           .per_rest_density = 1 / rest_density,
                           .sound_speed = static_cast<Real>(c0),
                           .exponent = constants_.exponent,

@@ -72,20 +72,21 @@ class Stages {
   // W_ij, over fluid or walls.
   PairStage<Dim> density(const ParticleSet<Dim>& source) const;
   // Pressure and viscosity from the fluid. The first loop over pairs of a step prunes.
-  PairStage<Dim> momentum_from_fluid(const Controls& controls, bool prunes) const;
-  PairStage<Dim> momentum_from_walls(const Controls& controls, bool prunes) const;
+  PairStage<Dim> momentum_from_fluid(const Parameters& parameters, bool prunes) const;
+  PairStage<Dim> momentum_from_walls(const Parameters& parameters, bool prunes) const;
   // Without cohesion its source has no particles, and the engine leaves it out.
-  PairStage<Dim> cohesion(const Controls& controls) const;
-  PairStage<Dim> continuity_from_fluid(const Field& compression, double diffusivity, const Controls& controls) const;
+  PairStage<Dim> cohesion(const Parameters& parameters) const;
+  PairStage<Dim> continuity_from_fluid(const Field& compression, double diffusivity,
+                                       const Parameters& parameters) const;
   PairStage<Dim> continuity_from_walls() const;
 
   // The state of walls from the fluid around them; nothing where walls mirror.
-  void extrapolate_walls(Engine<Dim>& engine, ParticleSet<Dim>& walls, const Controls& controls) const;
-  SummedDensity summed_density(const Controls& controls) const;
+  void extrapolate_walls(Engine<Dim>& engine, ParticleSet<Dim>& walls, const Parameters& parameters) const;
+  SummedDensity summed_density(const Parameters& parameters) const;
   // Advanced by dt (s), or as it is.
-  CarriedDensity<true> advanced_density(Field& compression, double dt, const Controls& controls) const;
-  CarriedDensity<false> carried_density(Field& compression, const Controls& controls) const;
-  SummedForce<Dim> summed_force(const Controls& controls) const;
+  CarriedDensity<true> advanced_density(Field& compression, double dt, const Parameters& parameters) const;
+  CarriedDensity<false> carried_density(Field& compression, const Parameters& parameters) const;
+  SummedForce<Dim> summed_force(const Parameters& parameters) const;
   template <class Update>
   Update motion(double dt, ParticleSet<Dim>& fluid) const;
 

@@ -27,12 +27,7 @@ void Timeline::Ramp<T>::apply(double time, T& value) {
   value = active ? from + (time - start) / length * (to - from) : to;
 }
 
-Timeline::Timeline(const Scene& scene)
-    : scene_(&scene),
-      state_{.gravity = scene.gravity,
-             .viscosity = scene.fluid.viscosity.kinematic,
-             .surface_tension = scene.fluid.surface_tension.coefficient,
-             .stiffness = stiffness(scene)} {}
+Timeline::Timeline(const Scene& scene) : scene_(&scene), state_(initial_parameters(scene)) {}
 
 void Timeline::start(const TimelineEvent& event) {
   if (event.set.gravity) gravity_.begin(event, state_.gravity, *event.set.gravity);

@@ -7,14 +7,6 @@
 
 namespace weir {
 
-// What a timeline may change during a run.
-struct Controls {
-  Vec3 gravity{0};             // m/s^2
-  double viscosity = 0;        // m^2/s
-  double surface_tension = 0;  // m^(d+2)/s^2
-  double stiffness = 0;        // Pa
-};
-
 // Follows the scene's events in their order. Settings start from the scene's own values.
 class Timeline {
  public:
@@ -24,7 +16,7 @@ class Timeline {
   // last call.
   bool advance_to(double time);
 
-  const Controls& state() const { return state_; }
+  const Parameters& state() const { return state_; }
   bool paused() const { return paused_; }
 
  private:
@@ -32,7 +24,7 @@ class Timeline {
 
   const Scene* scene_;
   std::size_t next_ = 0;
-  Controls state_;
+  Parameters state_;
   bool paused_ = false;
 
   // A change under way, one per setting: from its value at the start to the one asked for.

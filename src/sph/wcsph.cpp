@@ -27,17 +27,17 @@ class Wcsph final : public SphSolver<Dim> {
   void recompute() override {
     const Span span("density and pressure");
     // rho_i = sum_j m_j W_ij [eq. 4.3];  p_i = k ((rho_i / rho0)^n - 1) [ch. 4.4]
-    engine_.sweep(fluid_, {stages_.density(fluid_), stages_.density(walls_)}, stages_.summed_density(controls_));
-    stages_.extrapolate_walls(engine_, walls_, controls_);
+    engine_.sweep(fluid_, {stages_.density(fluid_), stages_.density(walls_)}, stages_.summed_density(parameters_));
+    stages_.extrapolate_walls(engine_, walls_, parameters_);
   }
 
   void accelerate() override {
     const Span span("accelerations");
     this->bound_by(engine_.sweep(fluid_,
-                                 {stages_.momentum_from_fluid(controls_, false),   // [Alg. 1], [eq. 4.5]
-                                  stages_.cohesion(controls_),                     // [Alg. 2]
-                                  stages_.momentum_from_walls(controls_, false)},  // [Alg. 1, wall]
-                                 stages_.summed_force(controls_)));                // + g
+                                 {stages_.momentum_from_fluid(parameters_, false),   // [Alg. 1], [eq. 4.5]
+                                  stages_.cohesion(parameters_),                     // [Alg. 2]
+                                  stages_.momentum_from_walls(parameters_, false)},  // [Alg. 1, wall]
+                                 stages_.summed_force(parameters_)));                // + g
   }
 
   std::optional<Runaway> move(double dt) override {
@@ -51,7 +51,7 @@ class Wcsph final : public SphSolver<Dim> {
   using SphSolver<Dim>::stages_;
   using SphSolver<Dim>::fluid_;
   using SphSolver<Dim>::walls_;
-  using SphSolver<Dim>::controls_;
+  using SphSolver<Dim>::parameters_;
 };
 
 }  // namespace

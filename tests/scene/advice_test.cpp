@@ -22,6 +22,9 @@ TEST(Advice, WarnsOfMirroredWallsWhereViscosityIsLow) {
   EXPECT_THAT(advice(scene), IsEmpty());
   scene.fluid.viscosity.model = ViscosityModel::none;
   EXPECT_THAT(advice(scene), ElementsAre(HasSubstr("kinematic is 0 m^2/s")));
+  scene.solver.wall_pressure = WallPressure::extrapolated;
+  EXPECT_THAT(advice(scene), IsEmpty());
+  scene.solver.wall_pressure = WallPressure::mirrored;
   scene.walls.clear();
   EXPECT_THAT(advice(scene), IsEmpty());
 }

@@ -297,6 +297,20 @@ TEST(Sampling, KeepsOneParticleWhereWallsCoincide) {
   EXPECT_EQ(sample(scene_with({tank, tank, tank})).wall_positions.size(), alone);
 }
 
+TEST(Sampling, GivesWallParticlesTheSlideOfTheirWall) {
+  const Wall tank{Tank{{0, 0, 0}, {1, 1, 0}, {Side::top}}, 2, {}};
+  Wall lid{Tank{{0, 0, 0}, {1, 1, 0}, {Side::left, Side::bottom, Side::right}}, 2, {}};
+  lid.slide = Vec3(3, 0, 0);
+  const Sampling sampling = sample(scene_with({tank, lid}));
+  ASSERT_EQ(sampling.wall_velocities.size(), sampling.wall_positions.size());
+  std::size_t sliding = 0;
+  for (std::size_t i = 0; i < sampling.wall_positions.size(); ++i) {
+    EXPECT_EQ(sampling.wall_velocities[i], sampling.wall_positions[i].y > 1 ? Vec3(3, 0, 0) : Vec3(0));
+    if (sampling.wall_positions[i].y > 1) ++sliding;
+  }
+  EXPECT_EQ(sliding, 20U);
+}
+
 TEST(Sampling, MergesWallsWithoutCrowdingOrGaps) {
   const Wall tank{Tank{{0, 0, 0}, {3, 2, 0}, {Side::top}}, 2, {}};
   const std::vector<std::vector<Wall>> combinations{
