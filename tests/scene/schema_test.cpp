@@ -201,6 +201,7 @@ std::vector<std::string> other_values(const Node& leaf) {
           "wcsph",
           "mirrored",
           "extrapolated",
+          "hydrostatic",
           "0.25"};
 }
 
