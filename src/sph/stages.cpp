@@ -127,7 +127,7 @@ PairStage<Dim> Stages<Dim>::momentum_from_fluid(const Parameters& parameters, bo
 }
 
 template <int Dim>
-PairStage<Dim> Stages<Dim>::momentum_from_walls(const Parameters& parameters, bool prunes) const {
+PairStage<Dim> Stages<Dim>::momentum_from_walls(const Parameters& parameters, bool listed) const {
   return with_kernel(constants_.kernel, [&]<template <int> class Kernel>() {
     // Walls that let the fluid slip exert no friction.
     return with_viscosity(
@@ -135,8 +135,7 @@ PairStage<Dim> Stages<Dim>::momentum_from_walls(const Parameters& parameters, bo
           const InstructionSet set = constants_.instruction_set;
           const auto stage = [&](const auto& pass) {
             using Pass = std::remove_cvref_t<decltype(pass)>;
-            if (prunes) return PairStage<Dim>::template of<Between<Pruning<Pass>>>(set, Pruning<Pass>{pass}, walls_);
-            return PairStage<Dim>::template of<Between<Pass>>(set, pass, walls_);
+            return PairStage<Dim>::template of<Between<Pass>>(set, pass, walls_, listed);
           };
           const auto kernel = kernel_at<Kernel, Dim>(constants_.h);
           if (constants_.extrapolated) {
@@ -184,7 +183,8 @@ PairStage<Dim> Stages<Dim>::continuity_from_walls() const {
     using Pass = WallContinuityPass<Dim, Kernel>;
     return PairStage<Dim>::template of<Between<Pass>>(
         constants_.instruction_set,
-        Pass{.kernel = kernel_at<Kernel, Dim>(constants_.h), .velocity = vector_input<Dim>(fields_.velocity)}, walls_);
+        Pass{.kernel = kernel_at<Kernel, Dim>(constants_.h), .velocity = vector_input<Dim>(fields_.velocity)}, walls_,
+        true);
   });
 }
 

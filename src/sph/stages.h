@@ -71,9 +71,10 @@ class Stages {
 
   // W_ij, over fluid or walls.
   PairStage<Dim> density(const ParticleSet<Dim>& source) const;
-  // Pressure and viscosity from the fluid. The first loop over pairs of a step prunes.
+  // Pressure and viscosity. The first loop over pairs of the fluid prunes; walls are visited by lists that a loop before
+  // has pruned, or by those with their skin (`listed`): there are few of them.
   PairStage<Dim> momentum_from_fluid(const Parameters& parameters, bool prunes) const;
-  PairStage<Dim> momentum_from_walls(const Parameters& parameters, bool prunes) const;
+  PairStage<Dim> momentum_from_walls(const Parameters& parameters, bool listed) const;
   // Without cohesion its source has no particles, and the engine leaves it out.
   PairStage<Dim> cohesion(const Parameters& parameters) const;
   PairStage<Dim> continuity_from_fluid(const Field& compression, double diffusivity,

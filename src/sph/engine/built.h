@@ -16,6 +16,7 @@ struct PairArguments {
   PairInput<Dim> pairs;
   std::int32_t tile = 0;
   float support_radius = 0;  // m
+  bool listed = false;       // visit lists with their skin, as no loop before has pruned these
   bool first = true;         // of the loops that add to these sums: begin with the pass's start value
   float* sums = nullptr;     // of the tile, sum_width<components> floats a slot up to the end of a group
 };

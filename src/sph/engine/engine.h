@@ -21,13 +21,14 @@ namespace weir {
 template <int Dim>
 class PairStage {
  public:
-  // `Loop` is Within<Pass> or Between<Pass>.
+  // `Loop` is Within<Pass> or Between<Pass>. `listed`: no loop of the step has pruned these lists before.
   template <class Loop, class Pass>
-  static PairStage of(InstructionSet set, const Pass& pass, const ParticleSet<Dim>& source) {
+  static PairStage of(InstructionSet set, const Pass& pass, const ParticleSet<Dim>& source, bool listed = false) {
     static_assert(std::is_trivially_copyable_v<Pass> && sizeof(Pass) <= sizeof(pass_));
     PairStage stage;
     stage.run_ = pairs_for<Loop, Dim>(set);
     stage.source_ = &source;
+    stage.listed_ = listed;
     stage.width_ = sum_width<Pass::components>;
     std::memcpy(stage.pass_, &pass, sizeof pass);
     return stage;
@@ -35,12 +36,14 @@ class PairStage {
 
   const ParticleSet<Dim>& source() const { return *source_; }
   std::size_t width() const { return width_; }
+  bool listed() const { return listed_; }
   void run(const PairArguments<Dim>& in) const { run_(pass_, in); }
 
  private:
   PairStage() = default;
   RunPairs<Dim> run_ = nullptr;
   const ParticleSet<Dim>* source_ = nullptr;
+  bool listed_ = false;
   std::size_t width_ = 0;  // floats a particle of its sums
   alignas(16) std::byte pass_[192]{};
 };
@@ -85,6 +88,7 @@ class Engine {
         active[k].stage->run({.pairs = active[k].pairs,
                               .tile = static_cast<std::int32_t>(tile),
                               .support_radius = support_radius_,
+                              .listed = active[k].stage->listed(),
                               .first = k == 0,
                               .sums = sums.data()});
       }

@@ -40,7 +40,7 @@ WEIR_INLINE void visit_lists(const PairArguments<Dim>& in, const Visit& visit) {
     pruned.set_size(static_cast<std::size_t>(left.end() - pruned.data()));
   } else {
     Unpruned left;
-    visit(pruned, left);
+    visit(in.listed ? in.pairs.listed[in.tile] : pruned, left);
   }
 }
 
