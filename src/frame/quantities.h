@@ -17,8 +17,8 @@ enum class Quantity { speed, density, pressure, velocity, id, volume };
 enum class Components { one, per_axis };
 enum class NumberKind { real, integer };
 
-// Recomputed quantities are sums over neighbours: they lag a step behind the positions until they are computed again.
-enum class Origin { state, recomputed };
+// Sums over neighbours are stale after a step until the solver computes them again.
+enum class Stale { never, after_step };
 
 // The colour range that is estimated from the scene when it states none.
 enum class RangeEstimate {
@@ -37,7 +37,7 @@ struct QuantityFacts {
   std::string_view label;  // beside the colour bar
   Components components = Components::one;
   NumberKind kind = NumberKind::real;
-  Origin origin = Origin::state;
+  Stale stale = Stale::never;
   RangeEstimate range = RangeEstimate::none;
 
   constexpr bool colours() const { return range != RangeEstimate::none; }
@@ -45,12 +45,12 @@ struct QuantityFacts {
 
 // clang-format off
 inline constexpr auto quantities = std::to_array<QuantityFacts>({
-    {Quantity::speed,    "speed",    "m/s",    "Speed",    Components::one,      NumberKind::real,    Origin::state,      RangeEstimate::speed},
-    {Quantity::density,  "density",  "kg/m^3", "Density",  Components::one,      NumberKind::real,    Origin::recomputed, RangeEstimate::density},
-    {Quantity::pressure, "pressure", "Pa",     "Pressure", Components::one,      NumberKind::real,    Origin::recomputed, RangeEstimate::pressure},
-    {Quantity::velocity, "velocity", "m/s",    "Velocity", Components::per_axis, NumberKind::real,    Origin::state,      RangeEstimate::none},
-    {Quantity::id,       "id",       "",       "Particle", Components::one,      NumberKind::integer, Origin::state,      RangeEstimate::particle_number},
-    {Quantity::volume,   "volume",   "",       "Volume",   Components::one,      NumberKind::integer, Origin::state,      RangeEstimate::volume_number},
+    {Quantity::speed,    "speed",    "m/s",    "Speed",    Components::one,      NumberKind::real,    Stale::never,      RangeEstimate::speed},
+    {Quantity::density,  "density",  "kg/m^3", "Density",  Components::one,      NumberKind::real,    Stale::after_step, RangeEstimate::density},
+    {Quantity::pressure, "pressure", "Pa",     "Pressure", Components::one,      NumberKind::real,    Stale::after_step, RangeEstimate::pressure},
+    {Quantity::velocity, "velocity", "m/s",    "Velocity", Components::per_axis, NumberKind::real,    Stale::never,      RangeEstimate::none},
+    {Quantity::id,       "id",       "",       "Particle", Components::one,      NumberKind::integer, Stale::never,      RangeEstimate::particle_number},
+    {Quantity::volume,   "volume",   "",       "Volume",   Components::one,      NumberKind::integer, Stale::never,      RangeEstimate::volume_number},
 });
 // clang-format on
 

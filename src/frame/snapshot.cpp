@@ -6,9 +6,9 @@
 
 namespace weir {
 
-bool SnapshotRequest::needs_recomputed() const {
+bool SnapshotRequest::needs_refresh() const {
   return std::any_of(fluid.begin(), fluid.end(),
-                     [](Quantity quantity) { return facts_of(quantity).origin == Origin::recomputed; });
+                     [](Quantity quantity) { return facts_of(quantity).stale == Stale::after_step; });
 }
 
 const FieldValues& SetSnapshot::field(Quantity quantity) const {

@@ -27,7 +27,7 @@ struct SnapshotRequest {
   std::vector<Quantity> fluid{};  // quantities of the fluid
   Precision wall_positions = Precision::none;
 
-  bool needs_recomputed() const;  // any quantity of Origin::recomputed
+  bool needs_refresh() const;  // for a quantity that is stale after a step
 };
 
 // Values of one quantity, component by component for each particle.
@@ -42,7 +42,7 @@ struct SetSnapshot {
   std::size_t count = 0;
   std::vector<glm::vec3> positions;         // m, of Precision::single; z = 0 in 2D
   std::vector<glm::dvec3> exact_positions;  // m, of Precision::exact; every bit of the solver's state
-  std::vector<FieldValues> fields;                // in the order of the request
+  std::vector<FieldValues> fields;          // in the order of the request
 
   // Throws std::out_of_range when the field was not asked for.
   const FieldValues& field(Quantity quantity) const;
@@ -51,6 +51,7 @@ struct SetSnapshot {
 };
 
 struct Snapshot : Instant {
+  glm::dvec3 origin{0};  // m, in the scene's coordinates; positions are relative to it
   SetSnapshot fluid;
   SetSnapshot walls;
 };

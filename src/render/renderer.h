@@ -63,7 +63,7 @@ std::unique_ptr<Renderer> make_renderer(const Scene& scene, const StaticScene& s
 void draw_on_calling_thread();
 std::vector<DeviceTrial> list_devices();
 
-// What does not move in this scene, from a snapshot of its walls.
+// The static scene, from a snapshot of its walls. Scene, walls and frames are relative to the origin of the snapshots.
 StaticScene make_static_scene(const Scene& scene, SetSnapshot walls);
 
 // The colour range that pictures of this scene use, in the unit of the quantity (fixed, or estimated from the scene).

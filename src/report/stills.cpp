@@ -6,6 +6,7 @@
 
 #include "report/hinsch2024.h"
 #include "scene/names.h"
+#include "scene/origin.h"
 #include "sph/simulation.h"
 
 namespace weir {
@@ -35,6 +36,7 @@ Stills stills_figure(const Scene& dam_break, const ReportOptions& options) {
   const std::unique_ptr<Simulation> simulation = make_simulation(scene, options.threads);
   Snapshot snapshot;
   simulation->fill(snapshot, {.fluid_positions = Precision::none, .wall_positions = Precision::single});
+  scene = relative_to(scene, snapshot.origin);
   const StaticScene static_scene = make_static_scene(scene, std::move(snapshot.walls));
   const std::unique_ptr<Renderer> renderer = make_renderer(scene, static_scene, options.device);
   Stills stills;

@@ -11,18 +11,18 @@ namespace weir {
 
 namespace {
 
-StaticScene static_scene_of(const RunContext& run) {
+Snapshot walls_of(Simulation& simulation) {
   Snapshot snapshot;
-  run.simulation.fill(snapshot, {.fluid_positions = Precision::none, .wall_positions = Precision::single});
-  return make_static_scene(run.scene, std::move(snapshot.walls));
+  simulation.fill(snapshot, {.fluid_positions = Precision::none, .wall_positions = Precision::single});
+  return snapshot;
 }
 
 class PictureOutput final : public Observer {
  public:
-  explicit PictureOutput(const RunContext& run)
+  PictureOutput(const RunContext& run, Snapshot walls)
       : run_(run),
-        scene_(relative_to(run.scene, scene_origin(run.scene))),
-        static_scene_(static_scene_of(run)),
+        scene_(relative_to(run.scene, walls.origin)),
+        static_scene_(make_static_scene(scene_, std::move(walls.walls))),
         pictures_(scene_, static_scene_, run.simulation.fluid_particles(), run.options.device) {
     run.simulation.give_way_to(pictures_.at_work());
   }
@@ -33,9 +33,9 @@ class PictureOutput final : public Observer {
   void await_start() override {
     pictures_.await_device();
     run_.say(fmt::format("drawing with {}", pictures_.gl_renderer()));
-    const Coloring& color = run_.scene.render.color;
+    const Coloring& color = scene_.render.color;
     if (!color.range) {
-      const auto [low, high] = color_range(run_.scene, static_scene_);
+      const auto [low, high] = color_range(scene_, static_scene_);
       run_.say(fmt::format("colour range of {}: {:.4g} to {:.4g}, estimated from the scene", name_with_unit(color.by),
                            low, high));
     }
@@ -44,7 +44,7 @@ class PictureOutput final : public Observer {
 
   void open(const std::filesystem::path& folder) override {
     pictures_.open(folder, run_.provenance, run_.threads);
-    if (run_.scene.output.movie) run_.say(fmt::format("encoding with {}", pictures_.encoder()));
+    if (scene_.output.movie) run_.say(fmt::format("encoding with {}", pictures_.encoder()));
   }
 
   void describe(Manifest& facts) const override {
@@ -72,7 +72,7 @@ class PictureOutput final : public Observer {
 
  private:
   const RunContext& run_;
-  const Scene scene_;  // its positions count from the scene's origin, as the simulation's do
+  const Scene scene_;  // its positions relative to the snapshots' origin, as the solver's
   StaticScene static_scene_;
   Pictures pictures_;
 };
@@ -80,7 +80,8 @@ class PictureOutput final : public Observer {
 }  // namespace
 
 std::unique_ptr<Observer> observe_pictures(const RunContext& run) {
-  return draws(run.scene) ? std::make_unique<PictureOutput>(run) : nullptr;
+  if (!draws(run.scene)) return nullptr;
+  return std::make_unique<PictureOutput>(run, walls_of(run.simulation));
 }
 
 }  // namespace weir

@@ -19,7 +19,8 @@ class DeltaSph final : public SphSolver<Dim> {
   DeltaSph(const Scene& scene, const Sampling& sampling, ThreadPool& pool, InstructionSet instruction_set)
       : SphSolver<Dim>(scene, sampling, pool, instruction_set),
         delta_(scene.solver.density_diffusion),
-        compression_(fluid_.add("compression", "1", 1, Keeping::carried)) {
+        compression_(fluid_.add("compression", "1", 1, Keeping::carried)),
+        rate_(fluid_.add("compression_rate", "1/s", 1, Keeping::recomputed)) {
     this->reset(sampling);
   }
 
@@ -53,10 +54,12 @@ class DeltaSph final : public SphSolver<Dim> {
         sound_speed_of_state(parameters_.stiffness, this->constants_.exponent, this->constants_.rest_density);
     const double diffusivity = density_diffusivity(delta_, this->constants_.h, c0);
     engine_.each(fluid_, stages_.template motion<Kick<Dim>>(dt, fluid_));  // v += dt a
+    // d rho / dt = -rho div v + diffusion
     engine_.sweep(
-        fluid_,  // rho += dt (-rho div v + diffusion)
+        fluid_,
         {stages_.continuity_from_fluid(compression_, diffusivity, parameters_), stages_.continuity_from_walls()},
-        stages_.advanced_density(compression_, dt, parameters_));
+        stages_.summed_compression_rate(rate_));
+    engine_.each(fluid_, stages_.advanced_density(compression_, rate_, dt, parameters_));  // rho += dt d rho / dt
     return this->moved(engine_.each(fluid_, stages_.template motion<Drift<Dim>>(dt, fluid_)), dt);  // x += dt v
   }
 
@@ -69,6 +72,7 @@ class DeltaSph final : public SphSolver<Dim> {
 
   double delta_;        // strength of the diffusion, 1
   Field& compression_;  // rho / rho0 - 1, the carried form of the density
+  Field& rate_;         // of it, 1/s
 };
 
 }  // namespace

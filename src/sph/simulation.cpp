@@ -68,8 +68,9 @@ class SimulationIn final : public Simulation {
   }
 
   void fill(Snapshot& snapshot, const SnapshotRequest& request) override {
-    if (request.needs_recomputed()) refresh();
+    if (request.needs_refresh()) refresh();
     static_cast<Instant&>(snapshot) = instant();
+    snapshot.origin = origin_;
     fill_fluid(FieldSources<Dim>{*solver_, volume_ends_}, request, pool_, snapshot.fluid);
     fill_walls(*solver_, request.wall_positions, pool_, snapshot.walls);
   }

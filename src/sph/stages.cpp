@@ -233,10 +233,16 @@ SummedDensity Stages<Dim>::summed_density(const Parameters& parameters) const {
 }
 
 template <int Dim>
-CarriedDensity<true> Stages<Dim>::advanced_density(Field& compression, double dt, const Parameters& parameters) const {
+SummedCompressionRate Stages<Dim>::summed_compression_rate(Field& rate) const {
+  // F_ij is -m W' / r, over the rest density as compressions are.
+  return {.factor = kernel_slope_factor(-constants_.mass / constants_.rest_density), .rate = rate.data()};
+}
+
+template <int Dim>
+CarriedDensity<true> Stages<Dim>::advanced_density(Field& compression, const Field& rate, double dt,
+                                                   const Parameters& parameters) const {
   return {.dt = static_cast<Real>(dt),
-          // F_ij is -m W' / r, over the rest density as compressions are.
-          .factor = kernel_slope_factor(-constants_.mass / constants_.rest_density),
+          .rate = rate.data(),
           .state = constants_.state(parameters.stiffness),
           .compression = compression.data(),
           .density = fields_.density.data(),

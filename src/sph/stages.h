@@ -83,8 +83,10 @@ class Stages {
   // The state of walls from the fluid around them; nothing where walls mirror.
   void extrapolate_walls(Engine<Dim>& engine, ParticleSet<Dim>& walls, const Parameters& parameters) const;
   SummedDensity summed_density(const Parameters& parameters) const;
+  SummedCompressionRate summed_compression_rate(Field& rate) const;
   // Advanced by dt (s), or as it is.
-  CarriedDensity<true> advanced_density(Field& compression, double dt, const Parameters& parameters) const;
+  CarriedDensity<true> advanced_density(Field& compression, const Field& rate, double dt,
+                                        const Parameters& parameters) const;
   CarriedDensity<false> carried_density(Field& compression, const Parameters& parameters) const;
   SummedForce<Dim> summed_force(const Parameters& parameters) const;
   template <class Update>

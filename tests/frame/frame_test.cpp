@@ -7,7 +7,7 @@
 namespace weir {
 namespace {
 
-Snapshot two_particles(Field field) {
+Snapshot two_particles(FieldValues field) {
   Snapshot snapshot;
   snapshot.index = 7;
   snapshot.time = 0.5;

@@ -61,7 +61,8 @@ class Engine {
   }
 
   // Tile by tile of the target, forms the sums of the stages and applies `update`, which reads them. Stages whose source has
-  // no particles are not there, nor are tiles that no source is near. Results are combined in the order of tiles.
+  // no particles are not there, nor are tiles that no source is near. Results are combined in the order of tiles. An update
+  // must not write what the stages read: sums of other tiles may still be to come.
   template <class Update>
   typename Update::Result sweep(ParticleSet<Dim>& target, std::initializer_list<PairStage<Dim>> stages,
                                 const Update& update) {

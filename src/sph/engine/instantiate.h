@@ -16,6 +16,7 @@ constexpr int Dim = WEIR_DIMENSION;
 #include "sph/engine/instances.def"
 #if WEIR_DIMENSION == 2  // the dimension does not matter to these
 template struct Each<SummedDensity>;
+template struct Each<SummedCompressionRate>;
 template struct Each<CarriedDensity<false>>;
 template struct Each<CarriedDensity<true>>;
 #endif

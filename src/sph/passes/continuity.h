@@ -75,17 +75,34 @@ struct WallContinuityPass {
   }
 };
 
-// Density and pressure from the carried compression rho / rho0 - 1, which is advanced before by dt times the sums of the
-// passes above; with dt = 0 it stays, and nothing need be summed.
-template <bool advances>
-struct CarriedDensity {
+// d c / dt of c = rho / rho0 - 1, from the sums of the passes above. Kept apart, for other tiles still read c.
+struct SummedCompressionRate {
   static constexpr int components = 1;
   using Result = Empty;
   template <class R>
   using Running = Empty;
 
-  Real dt = 0;      // s
-  Real factor = 0;  // of the sums: -m times the kernel's slope factor over rho0
+  Real factor = 0;        // of the sums: -m times the kernel's slope factor over rho0
+  float* rate = nullptr;  // 1/s
+
+  template <class Slots>
+  void operator()(const Slots& at, Empty&) const {
+    using R = typename Slots::Number;
+    at.store(at.of_particles(R(factor) * at.sum(0), R(0)), rate);
+  }
+  Empty result(Empty) const { return {}; }
+};
+
+// Density and pressure from the carried compression c, after it has been advanced by dt times its rate, or as it is.
+template <bool advances>
+struct CarriedDensity {
+  static constexpr int components = 0;
+  using Result = Empty;
+  template <class R>
+  using Running = Empty;
+
+  Real dt = 0;                  // s
+  const float* rate = nullptr;  // 1/s
   StateEquation state;
   float* compression = nullptr;
   float* density = nullptr;
@@ -96,7 +113,7 @@ struct CarriedDensity {
     using R = typename Slots::Number;
     R c = at.load(compression);
     if constexpr (advances) {
-      c = at.of_particles(multiply_add(R(dt) * R(factor), at.sum(0), c), R(0));
+      c = multiply_add(R(dt), at.load(rate), c);
       at.store(c, compression);
     }
     const R rho = multiply_add(R(state.rest_density), c, R(state.rest_density));
