@@ -128,7 +128,9 @@ TEST(Speed, MethodsHaveARowPerDimensionMethodAndWall) {
     EXPECT_EQ(row[4], k < 8 ? "100" : "108");
     expect_positive(row[5]);
     expect_positive(row[6]);
-    if (k % 8 == 0) EXPECT_EQ(row[6], "1.000") << "the one that others are compared with";
+    if (k % 8 == 0) {
+      EXPECT_EQ(row[6], "1.000") << "the one that others are compared with";
+    }
   }
 }
 
