@@ -16,7 +16,7 @@
 namespace weir {
 namespace {
 
-// Per dimension. A loop over pairs takes 0.45 s of a processor to build and 3.3 kB, all instruction sets together; every
+// Per dimension. A loop over pairs takes some 0.35 s of a processor to build and 5 kB, all instruction sets together; every
 // option times every other would be 500.
 constexpr std::size_t most_loops_over_pairs = 85;
 constexpr std::size_t most_updates = 12;
