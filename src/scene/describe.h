@@ -86,6 +86,9 @@ void describe(V& v, Volume& volume) {
                       "the same in every run",
            .unit = "1",
            .range = {0, 0.3}});
+  v.field("pressure", volume.pressure,
+          Spec{.meaning = "pressure at the start, of delta_sph; hydrostatic: of a column at rest below the top of this "
+                          "volume"});
 }
 
 template <class V>

@@ -84,6 +84,12 @@ struct Names<WallSlip> {
   static constexpr Later<0> later{};
 };
 template <>
+struct Names<StartPressure> {
+  static constexpr std::array<Name<StartPressure>, 2> built{
+      {{StartPressure::none, "none"}, {StartPressure::hydrostatic, "hydrostatic"}}};
+  static constexpr Later<0> later{};
+};
+template <>
 struct Names<WallPressure> {
   static constexpr std::array<Name<WallPressure>, 2> built{
       {{WallPressure::mirrored, "mirrored"}, {WallPressure::extrapolated, "extrapolated"}}};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "equations/hydrostatics.h"
 #include "equations/initial_flow.h"
 #include "scene/cells.h"
 #include "scene/geometry.h"
@@ -87,6 +88,43 @@ Vec3 initial_velocity(const Volume& volume, const Vec3& point, const Vec3& cente
   return velocity;
 }
 
+// The column at rest that a volume may start as: pressures by depth below the uppermost corner of its box, and heights above
+// the lowest one that go with these, so that densities are those of the volumes that particles have.
+class Column {
+ public:
+  Column(const Scene& scene, const Volume& volume)
+      : g_(volume.pressure == StartPressure::none ? 0 : glm::length(scene.gravity)),
+        rest_density_(scene.fluid.rest_density) {
+    if (g_ == 0) return;
+    down_ = scene.gravity / g_;
+    const double c0 = sound_speed(scene);
+    g_per_c_squared_ = g_ / (c0 * c0);
+    const Bounds box = shape_bounds(volume.shape, scene.dimension);
+    for (int axis = 0; axis < scene.dimension; ++axis) {
+      top_[axis] = down_[axis] > 0 ? box.min[axis] : box.max[axis];
+      height_ += std::abs(down_[axis]) * (box.max[axis] - box.min[axis]);
+    }
+  }
+  double pressure(const Vec3& point) const { return hydrostatic_pressure(rest_density_, g_, depth(point)); }
+  Vec3 settled(const Vec3& point) const {
+    if (g_ == 0) return point;
+    const double d = depth(point);
+    return point + ((height_ - d) - settled_height(height_, d, g_per_c_squared_)) * down_;
+  }
+
+ private:
+  double depth(const Vec3& point) const {
+    return g_ == 0 ? 0 : std::clamp(glm::dot(down_, point - top_), 0.0, height_);
+  }
+
+  double g_;  // m/s^2; 0: no column
+  double rest_density_;
+  double g_per_c_squared_ = 0;  // 1/m
+  Vec3 down_{0};
+  Vec3 top_{0};
+  double height_ = 0;  // m
+};
+
 void sample_walls(const Scene& scene, Sampling& sampling) {
   const double dx = scene.particle_spacing;
   const Period period(scene);
@@ -136,14 +174,18 @@ Sampling sample(const Scene& scene) {
   sampling.fluid_positions.reserve(count);
   sampling.fluid_velocities.reserve(count);
   const Period period(scene);
+  const bool pressed = std::any_of(scene.fluid.volumes.begin(), scene.fluid.volumes.end(),
+                                   [](const Volume& volume) { return volume.pressure != StartPressure::none; });
   for (std::size_t i = 0; i < scene.fluid.volumes.size(); ++i) {
     const Volume& volume = scene.fluid.volumes[i];
     const Vec3 center = turning_center(volume.shape, scene.dimension, dx);
+    const Column column(scene, volume);
     Perturbation perturbation(static_cast<std::uint32_t>(i), volume.perturbation * dx, scene.dimension);
     Lattice(volume.shape, scene.dimension, dx).for_each([&](const Vec3& node) {
-      const Vec3 point = node + perturbation.next();
+      const Vec3 point = column.settled(node) + perturbation.next();
       sampling.fluid_positions.push_back(period.wrapped(point));
       sampling.fluid_velocities.push_back(initial_velocity(volume, point, center));
+      if (pressed) sampling.fluid_pressures.push_back(column.pressure(node));
     });
     sampling.volume_ends.push_back(static_cast<std::int32_t>(sampling.fluid_positions.size()));
   }

@@ -11,6 +11,7 @@ namespace weir {
 struct Sampling {
   std::vector<Vec3> fluid_positions;      // m; the first lies dx/2 inside the faces
   std::vector<Vec3> fluid_velocities;     // m/s, same length
+  std::vector<double> fluid_pressures;    // Pa at the start, same length, or none where no volume has any
   std::vector<std::int32_t> volume_ends;  // of each volume, one more than its last particle's id
   std::vector<Vec3> wall_positions;   // m; the first layer lies dx/2 behind the faces, nearest first does not matter
   std::vector<Vec3> wall_velocities;  // m/s, with which the surface slides; same length, or none where no wall does

@@ -42,12 +42,15 @@ struct Flow {  // named velocity fields
   std::optional<TaylorGreen> taylor_green{};
 };
 
+enum class StartPressure { none, hydrostatic };  // hydrostatic: of a column at rest below the top of its volume
+
 struct Volume {
   Shape shape;
-  Vec3 velocity{0};          // m/s at the start
-  Vec3 angular_velocity{0};  // rad/s about the shape's centre at the start; 2D: z alone
-  Flow flow{};               // added to these
-  double perturbation = 0;   // dx; each particle is moved by up to this along each axis
+  Vec3 velocity{0};                              // m/s at the start
+  Vec3 angular_velocity{0};                      // rad/s about the shape's centre at the start; 2D: z alone
+  Flow flow{};                                   // added to these
+  double perturbation = 0;                       // dx; each particle is moved by up to this along each axis
+  StartPressure pressure = StartPressure::none;  // of methods that carry a density
 };
 
 enum class ViscosityModel { none, morris, monaghan, hinsch2024 };

@@ -24,6 +24,13 @@ class DeltaSph final : public SphSolver<Dim> {
     this->reset(sampling);
   }
 
+  void start(const Sampling& sampling) override {
+    for (std::size_t i = 0; i < sampling.fluid_pressures.size(); ++i) {
+      compression_.data()[i] = static_cast<float>(
+          compression_of_state(sampling.fluid_pressures[i], parameters_.stiffness, this->constants_.exponent));
+    }
+  }
+
   // The forces act first, and the density follows with the velocities that they lead to, at the positions before: of the
   // orders that were tried this one has the least error in an impact (sph/README.md).
   StepReport advance(double way) override {

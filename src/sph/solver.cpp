@@ -81,6 +81,7 @@ void SphSolver<Dim>::reset(const Sampling& sampling) {
     fastest = std::max(fastest, static_cast<double>(dot(v, v)));
   }
   bounds_.max_speed = std::sqrt(fastest);
+  start(sampling);
   search_.forget();
   fresh_ = false;
 }

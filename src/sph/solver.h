@@ -72,6 +72,7 @@ class SphSolver {
   // The scene must be valid; `sampling` are its particles.
   SphSolver(const Scene& scene, const Sampling& sampling, ThreadPool& pool, InstructionSet instruction_set);
 
+  virtual void start(const Sampling&) {}  // of the method's own fields, which are zero then
   StepChoice longest_step() const;
   void bound_by(const ForceExtremes& extremes);
   // After the particles moved by a step of dt (s): the particle of the smallest id that moved farther than step_reach(), or

@@ -62,7 +62,7 @@ gravity: [0, 0]
 particles: {spacing: 0.25}
 fluid:
   volumes:
-    - {box: {min: [0, 0], max: [1, 1]}, flow: {taylor_green: {speed: 1, wave_length: 2}}, perturbation: 0.2}
+    - {box: {min: [0, 0], max: [1, 1]}, flow: {taylor_green: {speed: 1, wave_length: 2}}, perturbation: 0.2, pressure: hydrostatic}
 walls:
   - tank: {min: [-1, -1], max: [3, 3], open: [left, right], motion: {slide: [1, 0]}}
   - box: {min: [0, 1.5], max: [1, 2.5], motion: {slide: [1, 0]}}
