@@ -21,8 +21,8 @@ struct ReportOptions {
 void report_hinsch2024(const ReportOptions& options);
 
 // Speed of the solver on this machine: by dimension, particle number and threads (speed.csv, .svg, .pdf, .png), in
-// developed flow (developed_flow.csv), scenes of Hinsch 2024 against real time (real_time.csv), savings of absent terms
-// (savings.csv). Takes some minutes; other load falsifies it.
+// developed flow (developed_flow.csv), scenes of Hinsch 2024 against real time (real_time.csv), cost of methods and
+// walls (methods.csv), savings of absent terms (savings.csv). Takes some minutes; other load falsifies it.
 void report_speed(const ReportOptions& options);
 
 }  // namespace weir

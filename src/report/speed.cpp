@@ -12,6 +12,7 @@
 #include "core/write_text.h"
 #include "report/median.h"
 #include "report/scenes.h"
+#include "scene/names.h"
 
 namespace weir {
 
@@ -185,6 +186,44 @@ std::string developed_flow_csv(const SpeedOptions& speed, const ReportOptions& o
   return csv;
 }
 
+std::string methods_csv(const SpeedOptions& speed, const ReportOptions& options) {
+  struct Case {
+    std::string name;
+    std::unique_ptr<Simulation> flow;
+    std::vector<double> milliseconds = {};  // a step
+    std::vector<double> cost = {};          // of the first case
+  };
+  std::string csv = "dimension,method,wall_pressure,wall_slip,particles,step[ms],cost[1]\n";
+  for (const int dimension : {2, 3}) {
+    std::vector<Case> cases;
+    for (const Method method : {Method::wcsph, Method::delta_sph}) {
+      for (const WallPressure pressure : {WallPressure::mirrored, WallPressure::extrapolated}) {
+        for (const WallSlip slip : {WallSlip::no_slip, WallSlip::free_slip}) {
+          Scene scene = speed_scene(dimension, speed.developed_particles);
+          scene.solver.method = method;
+          scene.solver.wall_pressure = pressure;
+          scene.solver.wall_slip = slip;
+          cases.push_back({fmt::format("{},{},{},{}", dimension, name_of(method), name_of(pressure), name_of(slip)),
+                           flow_at(scene, options.threads, 0)});
+        }
+      }
+    }
+    for (int repeat = 0; repeat < repeats; ++repeat) {
+      for (Case& each : cases) {
+        const SpeedSample sample = measure_speed(*each.flow, 0.25 * speed.seconds);
+        each.milliseconds.push_back(1e-3 * static_cast<double>(sample.particles) / sample.mps);
+        each.cost.push_back(each.milliseconds.back() / cases.front().milliseconds.back());
+      }
+    }
+    for (const Case& each : cases) {
+      csv += fmt::format("{},{},{:.4g},{:.3f}\n", each.name, each.flow->fluid_particles(), median(each.milliseconds),
+                         median(each.cost));
+      options.message(fmt::format("{}: {:.2f} times a step of the first", each.name, median(each.cost)));
+    }
+  }
+  return csv;
+}
+
 // Replaces the wall particles of a tank that is open at the top by fluid particles, to compare their costs.
 void replace_tank_by_fluid(Scene& scene) {
   const Wall wall = scene.walls.at(0);
@@ -291,6 +330,7 @@ void report_speed(const ReportOptions& options) {
   write_plot(options.folder / "speed", speed_figure(speed, checked));
   write_text(options.folder / "developed_flow.csv", developed_flow_csv(speed, checked));
   write_text(options.folder / "real_time.csv", real_time_csv(speed, checked));
+  write_text(options.folder / "methods.csv", methods_csv(speed, checked));
   write_text(options.folder / "savings.csv", savings_csv(speed, checked));
 }
 

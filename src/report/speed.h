@@ -1,4 +1,4 @@
-// Studies of run time: speed of steps, and savings of absent terms.
+// Studies of run time: speed of steps, cost of methods and walls, and savings of absent terms.
 #pragma once
 
 #include <cstdint>
@@ -44,6 +44,9 @@ struct SpeedOptions {
 
 LinePlot speed_figure(const SpeedOptions& speed, const ReportOptions& options);
 std::string developed_flow_csv(const SpeedOptions& speed, const ReportOptions& options);
+// A step of each method with each kind of wall, in turn, five times: the median time, and the median ratio to `wcsph` with
+// walls that are mirrored and hold the fluid.
+std::string methods_csv(const SpeedOptions& speed, const ReportOptions& options);
 // Pairs of cases, alternating, five times; the median ratio. `with` has a term that `without` lacks, with coefficient
 // zero: both compute the same.
 std::string savings_csv(const SpeedOptions& speed, const ReportOptions& options);

@@ -109,6 +109,31 @@ TEST(Speed, SavingsHaveARowPerOptionalTerm) {
   }
 }
 
+TEST(Speed, MethodsHaveARowPerDimensionMethodAndWall) {
+  const Table table(methods_csv(smallest(), two_threads()));
+  EXPECT_EQ(table.header, "dimension,method,wall_pressure,wall_slip,particles,step[ms],cost[1]");
+  std::vector<std::string> expected;
+  for (const char* dimension : {"2", "3"}) {
+    for (const char* method : {"wcsph", "delta_sph"}) {
+      for (const char* walls :
+           {"mirrored,no_slip", "mirrored,free_slip", "extrapolated,no_slip", "extrapolated,free_slip"}) {
+        expected.push_back(std::string(dimension) + "," + method + "," + walls);
+      }
+    }
+  }
+  EXPECT_EQ(table.beginnings(4), expected);
+  for (std::size_t k = 0; k < table.rows.size(); ++k) {
+    const auto& row = table.rows[k];
+    ASSERT_EQ(row.size(), 7U);
+    EXPECT_EQ(row[4], k < 8 ? "100" : "108");
+    expect_positive(row[5]);
+    expect_positive(row[6]);
+    if (k % 8 == 0) {
+      EXPECT_EQ(row[6], "1.000") << "the one that others are compared with";
+    }
+  }
+}
+
 TEST(Speed, RealTimeHasARowPerSceneAndStiffness) {
   const SpeedOptions options = smallest();
   const Table table(real_time_csv(options, two_threads()));

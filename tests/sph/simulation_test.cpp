@@ -1,6 +1,5 @@
 #include "sph/simulation.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,8 +12,8 @@
 namespace weir {
 namespace {
 
-std::string hash_after(const Scene& scene, int threads, InstructionSet set = default_instruction_set()) {
-  const auto simulation = make_simulation(scene, threads, set);
+std::string hash_after(const Scene& scene, int threads) {
+  const auto simulation = make_simulation(scene, threads);
   while (!simulation->finished()) simulation->step();
   return simulation->state_hash();
 }
@@ -60,49 +59,6 @@ TEST(Simulation, LookingChangesNothing) {
     simulation->step();
   }
   EXPECT_EQ(simulation->state_hash(), unseen);
-}
-
-// Calls visit(dimension, set) for every dimension and instruction set.
-template <class Visit>
-void for_each_solver(const Visit& visit) {
-  for (const int dimension : {2, 3}) {
-    for (const InstructionSet set : usable_instruction_sets()) {
-      SCOPED_TRACE(fmt::format("{}D, {}", dimension, name_of(set)));
-      visit(dimension, set);
-    }
-  }
-}
-
-// What a scene lacks is left out of the loops; switched to nothing instead, it must give the same bits.
-TEST(Skip, AnAbsentTermIsATermOfNothing) {
-  for_each_solver([](int dimension, InstructionSet set) {
-    Scene scene = short_dam_break(dimension);
-    scene.fluid.viscosity = {ViscosityModel::none, 0};
-    scene.fluid.surface_tension = {};
-    const std::string bare = hash_after(scene, 2, set);
-    for (const ViscosityModel model : {ViscosityModel::morris, ViscosityModel::monaghan, ViscosityModel::hinsch2024}) {
-      scene.fluid.viscosity = {model, 0};
-      for (const WallSlip slip : {WallSlip::no_slip, WallSlip::free_slip}) {
-        scene.solver.wall_slip = slip;
-        EXPECT_EQ(hash_after(scene, 2, set), bare) << "viscosity " << static_cast<int>(model);
-      }
-    }
-    scene.fluid.viscosity = {ViscosityModel::none, 0};
-    scene.fluid.surface_tension = {SurfaceTensionModel::hinsch2024, 0};
-    EXPECT_EQ(hash_after(scene, 2, set), bare);
-  });
-}
-
-TEST(Skip, WallsOutOfReachAreNotThere) {
-  for_each_solver([](int dimension, InstructionSet set) {
-    Scene scene = short_dam_break(dimension);
-    const std::string near_walls = hash_after(scene, 2, set);
-    scene.walls.push_back(scene.walls.front());
-    Tank& far = std::get<Tank>(scene.walls.back().shape);
-    far.min.x += 100;
-    far.max.x += 100;
-    EXPECT_EQ(hash_after(scene, 2, set), near_walls);
-  });
 }
 
 TEST(Simulation, InstructionSetsAgreeToRounding) {
