@@ -31,8 +31,8 @@ class DeltaSph final : public SphSolver<Dim> {
     }
   }
 
-  // The forces act first, and the density follows with the velocities that they lead to, at the positions before: of the
-  // orders that were tried this one has the least error in an impact (sph/README.md).
+  // The forces act first, and the density follows with the velocities that they lead to, at the positions before; it would
+  // lag behind them otherwise.
   StepReport advance(double way) override {
     this->refresh();     // neighbours, pressure
     this->accelerate();  // pressure, viscosity, cohesion, gravity

@@ -32,7 +32,9 @@ Loops loops() {
 #define WEIR_WITHIN(...) listed.over_pairs.push_back(typeid(Within<__VA_ARGS__>));
 #define WEIR_BETWEEN(...) listed.over_pairs.push_back(typeid(Between<__VA_ARGS__>));
 #define WEIR_EACH(...) listed.updates.push_back(typeid(__VA_ARGS__));
+#define WEIR_DIMENSION 2
 #include "sph/engine/instances.def"
+#undef WEIR_DIMENSION
 #undef WEIR_WITHIN
 #undef WEIR_BETWEEN
 #undef WEIR_EACH

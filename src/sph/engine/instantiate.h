@@ -14,12 +14,6 @@ constexpr int Dim = WEIR_DIMENSION;
 #define WEIR_BETWEEN(...) template struct Pairs<Between<__VA_ARGS__>>;
 #define WEIR_EACH(...) template struct Each<__VA_ARGS__>;
 #include "sph/engine/instances.def"
-#if WEIR_DIMENSION == 2  // the dimension does not matter to these
-template struct Each<SummedDensity>;
-template struct Each<SummedCompressionRate>;
-template struct Each<CarriedDensity<false>>;
-template struct Each<CarriedDensity<true>>;
-#endif
 
 template Listers<Dim> listers<Dim>();
 
