@@ -73,6 +73,36 @@ struct WendlandC2 {
   }
 };
 
+// Typical h/dx: 1.6 to 2.4. Smoother than C2, for fields that are differentiated twice.
+template <int Dim>
+struct WendlandC4 {
+  // Normalisation, m^-Dim. [Dehnen12, C4 normalisation]
+  static constexpr double alpha(double h) {
+    if constexpr (Dim == 1) return 3 / (4 * h);
+    if constexpr (Dim == 2) return 9 / (4 * pi * h * h);
+    if constexpr (Dim == 3) return 495 / (256 * pi * h * h * h);
+  }
+  // W / alpha: (1 - q/2)^6 (1 + 3q + 35/12 q^2), in 1D (1 - q/2)^5 (1 + 5/2 q + 2 q^2). [Wendland95, C4]
+  template <class R>
+  static R shape(R r, R per_h) {
+    const R q = per_h * r;
+    const R t = positive_part(minus_product(R(1), R(0.5) * per_h, r));
+    const R t2 = t * t;
+    if constexpr (Dim == 1) return t2 * t2 * t * multiply_add(multiply_add(R(2), q, R(2.5)), q, R(1));
+    return t2 * t2 * t2 * multiply_add(multiply_add(R(35.0 / 12), q, R(3)), q, R(1));
+  }
+  // (dW/dq) / (alpha q), without its constant factor: -14/3 (1 - q/2)^5 (1 + 5/2 q), in 1D -7/2 (1 - q/2)^4 (1 + 2q).
+  // [Wendland95, C4 derivative]
+  static constexpr double slope_factor = Dim == 1 ? -3.5 : -14.0 / 3;
+  template <class R>
+  static R slope_over_q(R r, R per_h) {
+    const R t = positive_part(minus_product(R(1), R(0.5) * per_h, r));
+    const R t2 = t * t;
+    if constexpr (Dim == 1) return t2 * t2 * multiply_add(R(2) * per_h, r, R(1));
+    return t2 * t2 * t * multiply_add(R(2.5) * per_h, r, R(1));
+  }
+};
+
 // A kernel at one smoothing length, times a factor, with its constants worked out. R is the type that the loops compute in.
 template <class Shape, class R>
 class KernelAt {

@@ -67,8 +67,9 @@ struct Names<Method> {
 };
 template <>
 struct Names<KernelName> {
-  static constexpr std::array<Name<KernelName>, 2> built{
-      {{KernelName::cubic_spline, "cubic_spline"}, {KernelName::wendland_c2, "wendland_c2"}}};
+  static constexpr std::array<Name<KernelName>, 3> built{{{KernelName::cubic_spline, "cubic_spline"},
+                                                          {KernelName::wendland_c2, "wendland_c2"},
+                                                          {KernelName::wendland_c4, "wendland_c4"}}};
   static constexpr Later<0> later{};
 };
 template <>

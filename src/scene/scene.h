@@ -120,7 +120,7 @@ enum class Axis { x, y, z };
 // ---- solver -------------------------------------------------------------------------------------------------------
 
 enum class Method { wcsph, delta_sph };
-enum class KernelName { cubic_spline, wendland_c2 };
+enum class KernelName { cubic_spline, wendland_c2, wendland_c4 };
 struct Kernel {
   KernelName name = KernelName::cubic_spline;
   double smoothing = 1.0;  // h / dx

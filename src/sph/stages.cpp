@@ -13,6 +13,8 @@ auto with_kernel(KernelName name, const Make& make) {
   switch (name) {
     case KernelName::wendland_c2:
       return make.template operator()<WendlandC2>();
+    case KernelName::wendland_c4:
+      return make.template operator()<WendlandC4>();
     case KernelName::cubic_spline:
       break;
   }

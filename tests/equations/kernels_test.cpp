@@ -16,18 +16,23 @@ struct Case {
 template <class C>
 class Kernel : public testing::Test {};
 using Cases = testing::Types<Case<CubicSpline, 1>, Case<CubicSpline, 2>, Case<CubicSpline, 3>, Case<WendlandC2, 1>,
-                             Case<WendlandC2, 2>, Case<WendlandC2, 3>>;
+                             Case<WendlandC2, 2>, Case<WendlandC2, 3>, Case<WendlandC4, 1>, Case<WendlandC4, 2>,
+                             Case<WendlandC4, 3>>;
 TYPED_TEST_SUITE(Kernel, Cases);
 
 // Surface of the unit sphere in `dim` dimensions.
 double sphere(int dim) { return dim == 1 ? 2 : dim == 2 ? 2 * pi : 4 * pi; }
 
-// Exact for the polynomials of degree at most 7 that w(r) r^(dim-1) is on each of [0, h] and [h, 2h].
+// Exact for polynomials of degree at most 11, as w(r) r^(dim-1) is on each of [0, h] and [h, 2h].
 double gauss_integral(double from, double to, const auto& f) {
-  constexpr double node[4] = {0.8611363115940526, 0.3399810435848563, -0.3399810435848563, -0.8611363115940526};
-  constexpr double weight[4] = {0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538};
+  constexpr double node[3] = {0.9324695142031521, 0.6612093864662645, 0.2386191860831969};
+  constexpr double weight[3] = {0.1713244923791704, 0.3607615730481386, 0.4679139345726910};
   double sum = 0;
-  for (int k = 0; k < 4; ++k) sum += weight[k] * f(0.5 * (from + to) + 0.5 * (to - from) * node[k]);
+  for (int k = 0; k < 3; ++k) {
+    for (const double sign : {-1.0, 1.0}) {
+      sum += weight[k] * f(0.5 * (from + to) + sign * 0.5 * (to - from) * node[k]);
+    }
+  }
   return 0.5 * (to - from) * sum;
 }
 

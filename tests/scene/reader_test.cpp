@@ -205,8 +205,9 @@ TEST(Reader, RefusesWrongTypes) {
 TEST(Reader, RefusesUnknownChoices) {
   EXPECT_THAT(
       with_line("solver: {kernel: {name: cubic_splin}}"),
-      ElementsAre("s.yaml:6:19: solver.kernel.name expects one of cubic_spline, wendland_c2, got 'cubic_splin'; "
-                  "did you mean 'cubic_spline'?"));
+      ElementsAre(
+          "s.yaml:6:19: solver.kernel.name expects one of cubic_spline, wendland_c2, wendland_c4, got 'cubic_splin'; "
+          "did you mean 'cubic_spline'?"));
   EXPECT_THAT(
       with_line("render: {overlay: [time, clock, time]}"),
       ElementsAre("s.yaml:6:26: render.overlay.1 expects one of title, time, colorbar, scalebar, cfl, got 'clock'",

@@ -95,7 +95,7 @@ struct BruteForce {
   double k = stiffness(scene);
   double n = scene.solver.exponent;
   double nu = scene.fluid.viscosity.kinematic;
-  bool wendland = scene.solver.kernel.name == KernelName::wendland_c2;
+  KernelName kernel = scene.solver.kernel.name;
   std::vector<V> images = images_of(scene);  // displacements of the scene's copies, itself the first
 
   // One copy to each side along each periodic axis.
@@ -127,24 +127,29 @@ struct BruteForce {
   }
   static constexpr auto none = static_cast<std::size_t>(-1);
 
-  double alpha() const {
-    const double volume = std::pow(h, Dim);
-    if (wendland) return (Dim == 2 ? 7 / (4 * pi) : 21 / (16 * pi)) / volume;
-    return (Dim == 2 ? 5 / (14 * pi) : 1 / (4 * pi)) / volume;
-  }
+  // W h^Dim, by q.
   double w(double r) const {
     const double q = r / h;
     if (q >= 2) return 0;
-    if (wendland) return alpha() * std::pow(1 - q / 2, 4) * (1 + 2 * q);
-    return alpha() * (std::pow(2 - q, 3) - (q < 1 ? 4 * std::pow(1 - q, 3) : 0));
+    const double volume = std::pow(h, Dim);
+    switch (kernel) {
+      case KernelName::wendland_c2:
+        return (Dim == 2 ? 7 / (4 * pi) : 21 / (16 * pi)) / volume * std::pow(1 - q / 2, 4) * (1 + 2 * q);
+      case KernelName::wendland_c4:
+        return (Dim == 2 ? 9 / (4 * pi) : 495 / (256 * pi)) / volume * std::pow(1 - q / 2, 6) *
+               (1 + 3 * q + 35 * q * q / 12);
+      case KernelName::cubic_spline:
+        break;
+    }
+    return (Dim == 2 ? 5 / (14 * pi) : 1 / (4 * pi)) / volume *
+           (std::pow(2 - q, 3) - (q < 1 ? 4 * std::pow(1 - q, 3) : 0));
   }
+  // By a central difference of w, to 1e-8 of its largest value.
   V grad_w(const V& x) const {
     const double r = norm(x);
-    const double q = r / h;
-    if (q >= 2 || r == 0) return V{};
-    const double slope =
-        wendland ? -5 * q * std::pow(1 - q / 2, 3) : -3 * std::pow(2 - q, 2) + (q < 1 ? 12 * std::pow(1 - q, 2) : 0);
-    return (alpha() / h * slope / r) * x;
+    if (r >= 2 * h || r == 0) return V{};
+    const double step = 1e-5 * h;
+    return ((w(r + step) - w(r - step)) / (2 * step) / r) * x;
   }
 
   double density(std::size_t i) const {

@@ -41,7 +41,7 @@ template <int Dim, class Visit>
 void for_each_case(WallPressure walls, const Visit& visit) {
   for (const Method method : {Method::wcsph, Method::delta_sph}) {
     for (const WallSlip slip : {WallSlip::no_slip, WallSlip::free_slip}) {
-      for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
+      for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2, KernelName::wendland_c4}) {
         const Scene scene = walled(Dim, method, walls, slip, kernel);
         const Sampling sampling = shaken(scene, 31);
         for (const InstructionSet set : usable_instruction_sets()) {
@@ -237,7 +237,7 @@ TYPED_TEST(MethodsIn, EveryPairRuns) {
   for (const WallPressure walls : {WallPressure::mirrored, WallPressure::extrapolated}) {
     for (const Method method : {Method::wcsph, Method::delta_sph}) {
       for (const WallSlip slip : {WallSlip::no_slip, WallSlip::free_slip}) {
-        for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
+        for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2, KernelName::wendland_c4}) {
           Scene scene = walled(dim, method, walls, slip, kernel);
           scene.walls[0].slide = Vec3(0);
           scene.duration = 0.15;

@@ -27,7 +27,7 @@ TYPED_TEST_SUITE(WcsphIn, Dimensions);
 // Calls visit(scene) for each kernel, at both of the usual smoothing lengths.
 template <class Visit>
 void for_each_kernel(Scene scene, const Visit& visit) {
-  for (const KernelName name : {KernelName::cubic_spline, KernelName::wendland_c2}) {
+  for (const KernelName name : {KernelName::cubic_spline, KernelName::wendland_c2, KernelName::wendland_c4}) {
     for (const double smoothing : {1.0, 1.3}) {
       scene.solver.kernel = {name, smoothing};
       visit(scene);
@@ -196,10 +196,20 @@ void expect_equal_to_all_pairs(const Scene& scene, const Sampling& sampling, Thr
   const std::vector<double>& pressure = state.pressure_term;
   const double h = smoothing_length(scene);
   const double minus_m = -particle_mass(scene);
-  const auto exact =
-      scene.solver.kernel.name == KernelName::wendland_c2
-          ? accelerations_over_all_pairs<Dim>(state, scene, pressure, kernel_at<WendlandC2, Dim, double>(h, minus_m))
-          : accelerations_over_all_pairs<Dim>(state, scene, pressure, kernel_at<CubicSpline, Dim, double>(h, minus_m));
+  const auto over_all_pairs = [&](const auto& kernel) {
+    return accelerations_over_all_pairs<Dim>(state, scene, pressure, kernel);
+  };
+  const auto exact = [&] {
+    switch (scene.solver.kernel.name) {
+      case KernelName::wendland_c2:
+        return over_all_pairs(kernel_at<WendlandC2, Dim, double>(h, minus_m));
+      case KernelName::wendland_c4:
+        return over_all_pairs(kernel_at<WendlandC4, Dim, double>(h, minus_m));
+      case KernelName::cubic_spline:
+        break;
+    }
+    return over_all_pairs(kernel_at<CubicSpline, Dim, double>(h, minus_m));
+  }();
   double worst = 0;
   for (std::size_t i = 0; i < exact.size(); ++i) {
     for (int d = 0; d < Dim; ++d) worst = std::max(worst, std::abs(state.acceleration[i][d] - exact[i][d]));
@@ -213,7 +223,7 @@ TYPED_TEST(WcsphIn, EveryChoiceOfTermsEqualsTheSamePassesInDoubleOverAllPairs) {
   constexpr int dim = TypeParam::value;
   ThreadPool pool(2);
   for (const InstructionSet set : usable_instruction_sets()) {
-    for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
+    for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2, KernelName::wendland_c4}) {
       for (const ViscosityModel viscosity :
            {ViscosityModel::none, ViscosityModel::morris, ViscosityModel::monaghan, ViscosityModel::hinsch2024}) {
         for (const WallSlip slip : {WallSlip::no_slip, WallSlip::free_slip}) {
@@ -235,7 +245,7 @@ TYPED_TEST(WcsphIn, ConservesMomentumToRoundOff) {
   constexpr int dim = TypeParam::value;
   ThreadPool pool(2);
   for (const ViscosityModel model : {ViscosityModel::none, ViscosityModel::morris, ViscosityModel::monaghan}) {
-    for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
+    for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2, KernelName::wendland_c4}) {
       Scene scene = free_fluid(dim, dim == 2 ? 30 : 10);
       scene.fluid.viscosity = {model, 0.1};
       scene.fluid.surface_tension = {SurfaceTensionModel::hinsch2024, 1e-3};
