@@ -43,6 +43,20 @@ TEST(Scenes, AllPassTheCheckAndRun) {
   }
 }
 
+// Others may show what a paper did against the advice.
+TEST(Scenes, OfValidationPassTheCheckWithoutAdvice) {
+  int scenes = 0;
+  for (const fs::path& scene : shipped_scenes()) {
+    if (scene.parent_path().filename() != "validation") continue;
+    SCOPED_TRACE(scene.string());
+    const Outcome outcome = weir_program({"check", scene.string()});
+    EXPECT_EQ(outcome.exit, 0) << outcome.err;
+    EXPECT_EQ(outcome.out.find("advice"), std::string::npos) << outcome.out;
+    ++scenes;
+  }
+  EXPECT_GE(scenes, 4);
+}
+
 }  // namespace
 
 }  // namespace weir
