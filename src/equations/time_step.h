@@ -2,6 +2,7 @@
 //
 // [Hinsch24]   J. Hinsch, A Simple 2D SPH Fluid Solver, University of Freiburg, 2024.
 // [Monaghan92] J. J. Monaghan, Smoothed particle hydrodynamics, Annu. Rev. Astron. Astrophys. 30 (1992) 543-574.
+// [Monaghan05] J. J. Monaghan, Smoothed particle hydrodynamics, Rep. Prog. Phys. 68 (2005) 1703-1759.
 // [Morris97]   J. P. Morris, P. J. Fox, Y. Zhu, Modeling low Reynolds number incompressible flows using SPH,
 //              J. Comput. Phys. 136 (1997) 214-226.
 #pragma once
@@ -33,6 +34,10 @@ inline double force_limit(double factor, double h, double a_max) { return factor
 
 // dt <= factor h^2 / nu, s. [Morris97, time step]
 inline double viscous_limit(double factor, double h, double nu) { return factor * h * h / nu; }
+
+// The nu of that limit where friction acts along the line between two particles, m^2/s: nu (lap u + 2 grad div u) in the
+// limit, so that waves of compression spread with 3 nu. [Monaghan05, compression]
+inline double central_diffusivity(double nu) { return 3 * nu; }
 
 // Euler-Cromer, of one component: velocity first, m/s, then position with the new velocity.
 // [Hinsch24 Alg. 3, velocity]

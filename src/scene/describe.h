@@ -199,7 +199,9 @@ void describe(V& v, AdaptiveStep& step) {
   v.field("force", step.force,
           Spec{.meaning = "dt <= force sqrt(h / a_max), a_max the largest acceleration", .unit = "1", .range = factor});
   v.field("viscous", step.viscous,
-          Spec{.meaning = "dt <= viscous h^2 / nu, nu the kinematic viscosity", .unit = "1", .range = factor});
+          Spec{.meaning = "dt <= viscous h^2 / nu, nu the kinematic viscosity, with monaghan three times it",
+               .unit = "1",
+               .range = factor});
   v.field("maximum", OrWord<double>{step.maximum, 0, "none"},
           Spec{.meaning = "dt is never longer than this", .unit = "s", .range = positive});
 }

@@ -55,7 +55,7 @@ SphSolver<Dim>::SphSolver(const Scene& scene, const Sampling& sampling, ThreadPo
       engine_(instruction_set, constants_.support_radius, search_, pool),
       stages_(constants_, fluid_, walls_, fields_, wall_fields_) {
   bounds_.h = constants_.h;
-  if (constants_.viscosity != ViscosityModel::none) bounds_.viscosity = parameters_.viscosity;
+  bounds_.diffusivity = diffusivity();
   walls_.start_at(points<Dim>(sampling.wall_positions));
   for (std::size_t i = 0; i < sampling.wall_velocities.size() && wall_fields_.slide != nullptr; ++i) {
     for (int d = 0; d < Dim; ++d) {
@@ -101,7 +101,21 @@ void SphSolver<Dim>::set(const Parameters& parameters) {
   if (parameters.stiffness != parameters_.stiffness) fresh_ = false;
   if (constants_.extrapolated && parameters.gravity != parameters_.gravity) fresh_ = false;
   parameters_ = parameters;
-  if (bounds_.viscosity) bounds_.viscosity = parameters.viscosity;
+  bounds_.diffusivity = diffusivity();
+}
+
+template <int Dim>
+std::optional<double> SphSolver<Dim>::diffusivity() const {
+  switch (constants_.viscosity) {
+    case ViscosityModel::none:
+      return std::nullopt;
+    case ViscosityModel::monaghan:
+      return central_diffusivity(parameters_.viscosity);
+    case ViscosityModel::morris:
+    case ViscosityModel::hinsch2024:
+      break;
+  }
+  return parameters_.viscosity;
 }
 
 template <int Dim>

@@ -92,6 +92,8 @@ class SphSolver {
   StepBounds bounds_;
 
  private:
+  std::optional<double> diffusivity() const;  // of velocity, m^2/s; bounds the step
+
   bool fresh_ = false;
 };
 

@@ -21,11 +21,11 @@ struct StepChoice {
 
 // What steps are limited by, at one instant.
 struct StepBounds {
-  double h = 0;                       // m
-  double max_speed = 0;               // m/s
-  double max_signal_speed = 0;        // m/s
-  double max_acceleration = 0;        // m/s^2
-  std::optional<double> viscosity{};  // m^2/s
+  double h = 0;                         // m
+  double max_speed = 0;                 // m/s
+  double max_signal_speed = 0;          // m/s
+  double max_acceleration = 0;          // m/s^2
+  std::optional<double> diffusivity{};  // of velocity, m^2/s
 };
 
 inline StepChoice choose_step(const TimeStep& settings, const StepBounds& bounds) {
@@ -38,8 +38,8 @@ inline StepChoice choose_step(const TimeStep& settings, const StepBounds& bounds
   choice.at_most(velocity_limit(factors.cfl, bounds.h, bounds.max_speed), StepLimit::velocity);
   choice.at_most(acoustic_limit(factors.acoustic, bounds.h, bounds.max_signal_speed), StepLimit::acoustic);
   choice.at_most(force_limit(factors.force, bounds.h, bounds.max_acceleration), StepLimit::force);
-  if (bounds.viscosity) {
-    choice.at_most(viscous_limit(factors.viscous, bounds.h, *bounds.viscosity), StepLimit::viscosity);
+  if (bounds.diffusivity) {
+    choice.at_most(viscous_limit(factors.viscous, bounds.h, *bounds.diffusivity), StepLimit::viscosity);
   }
   if (factors.maximum > 0) choice.at_most(factors.maximum, StepLimit::maximum);
   return choice;
