@@ -24,11 +24,21 @@ R shepard_mean(R sum, R sum_of_weights) {
   return sum / larger(sum_of_weights, R(least));
 }
 
-// The velocity of a wall particle that holds the fluid, m/s: with the fluid's mean velocity it has that of the wall in the
-// middle. [Adami12 eq. 23]
+// The velocity of a wall particle that holds the fluid, m/s: on the line through that of the wall at its face and the mean
+// of the fluid before it. The paper takes both to be as far from the face, 2 v_wall - v_fluid, which is first order; here
+// `ratio` is the distance of the wall particle over that of the fluid, so that a straight profile stays straight.
+// [Adami12 eq. 23]
 template <class R>
-R no_slip_velocity(R v_wall, R mean_v_fluid) {
-  return R(2) * v_wall - mean_v_fluid;
+R no_slip_velocity(R v_wall, R mean_v_fluid, R ratio) {
+  return multiply_add(ratio, v_wall - mean_v_fluid, v_wall);
+}
+
+// That ratio, from the wall particle's distance behind the face and the mean displacement from it to the fluid, m. Before a
+// flat face the displacement is across it. [Adami12 eq. 23, distances]
+template <int Dim, class R>
+R distance_ratio(R depth, const Vec<Dim, R>& mean_displacement, R least_distance) {
+  const R distance = square_root(dot(mean_displacement, mean_displacement)) - depth;
+  return depth / larger(distance, least_distance);
 }
 
 }  // namespace weir

@@ -22,4 +22,9 @@ Parameters initial_parameters(const Scene& scene) {
           .stiffness = stiffness(scene)};
 }
 
+bool holds_fluid(const Scene& scene) {
+  return scene.solver.wall_pressure == WallPressure::extrapolated && scene.solver.wall_slip == WallSlip::no_slip &&
+         scene.fluid.viscosity.model != ViscosityModel::none;
+}
+
 }  // namespace weir

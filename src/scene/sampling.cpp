@@ -10,6 +10,7 @@
 #include "scene/geometry.h"
 #include "scene/lattice.h"
 #include "scene/point_grid.h"
+#include "scene/wall_depth.h"
 
 namespace weir {
 
@@ -136,6 +137,11 @@ void sample_walls(const Scene& scene, Sampling& sampling) {
     const std::size_t first = points.size();
     for (const Vec3& point : sample_wall(wall, scene.dimension, dx, wall_layers(scene, wall))) {
       if (period.holds(point) && !earlier.any_near(point, wall_merge_distance * dx)) points.push_back(point);
+    }
+    if (holds_fluid(scene)) {
+      for (std::size_t i = first; i < points.size(); ++i) {
+        sampling.wall_depths.push_back(wall_depth(wall.shape, scene.dimension, points[i]));
+      }
     }
     if (slides) sampling.wall_velocities.resize(points.size(), wall.slide);
     if (&wall == &scene.walls.back()) break;

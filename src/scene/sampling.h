@@ -14,6 +14,7 @@ struct Sampling {
   std::vector<double> fluid_pressures;    // Pa at the start, same length, or none where no volume has any
   std::vector<std::int32_t> volume_ends;  // of each volume, one more than its last particle's id
   std::vector<Vec3> wall_positions;   // m; the first layer lies dx/2 behind the faces, nearest first does not matter
+  std::vector<double> wall_depths;    // m, behind the face; same length, or none where no viscosity asks for them
   std::vector<Vec3> wall_velocities;  // m/s, with which the surface slides; same length, or none where no wall does
 };
 Sampling sample(const Scene& scene);

@@ -277,6 +277,7 @@ double stiffness(const Scene& scene);                   // k, Pa
 double sound_speed(const Scene& scene);                 // c0 = sqrt(exponent k / rho0), m/s
 Parameters initial_parameters(const Scene& scene);
 double max_speed_estimate(const Scene& scene);  // m/s, from initial speeds, gravity and the height it can act over
+bool holds_fluid(const Scene& scene);           // whether walls have a velocity that viscosity meets
 bool draws(const Scene& scene);                 // whether any picture is asked for
 bool is_periodic(const Scene& scene, int axis);
 // The period, m: the domain's extent if it is given, else that of fluid volumes and walls' shapes without their layers.

@@ -57,6 +57,9 @@ SphSolver<Dim>::SphSolver(const Scene& scene, const Sampling& sampling, ThreadPo
   bounds_.h = constants_.h;
   bounds_.diffusivity = diffusivity();
   walls_.start_at(points<Dim>(sampling.wall_positions));
+  for (std::size_t i = 0; i < sampling.wall_depths.size() && wall_fields_.depth != nullptr; ++i) {
+    wall_fields_.depth->data()[i] = static_cast<float>(sampling.wall_depths[i]);
+  }
   for (std::size_t i = 0; i < sampling.wall_velocities.size() && wall_fields_.slide != nullptr; ++i) {
     for (int d = 0; d < Dim; ++d) {
       wall_fields_.slide->data(d)[i] = static_cast<float>(sampling.wall_velocities[i][d]);

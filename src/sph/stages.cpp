@@ -42,6 +42,7 @@ FluidConstants::FluidConstants(const Scene& scene, InstructionSet set)
       extrapolated(scene.solver.wall_pressure == WallPressure::extrapolated),
       h(weir::smoothing_length(scene)),
       support_radius(weir::support_radius(scene)),
+      spacing(scene.particle_spacing),
       mass(weir::particle_mass(scene)),
       rest_density(scene.fluid.rest_density),
       exponent(scene.solver.exponent),
@@ -67,6 +68,7 @@ WallFields<Dim>::WallFields(ParticleSet<Dim>& walls, const FluidConstants& const
   density = &walls.add("density", "kg/m^3", 1, Keeping::recomputed);
   pressure_term = &walls.add("pressure_term", "m^5/(kg s^2)", 1, Keeping::recomputed);
   if (!constants.no_slip) return;
+  depth = &walls.add("depth", "m", 1, Keeping::carried);
   slide = &walls.add("slide", "m/s", Dim, Keeping::carried);
   velocity = &walls.add("velocity", "m/s", Dim, Keeping::recomputed);
 }
@@ -199,6 +201,9 @@ void Stages<Dim>::extrapolate_walls(Engine<Dim>& engine, ParticleSet<Dim>& walls
                                    .density = wall_fields_.density->data(),
                                    .pressure_term = wall_fields_.pressure_term->data()};
     if constexpr (no_slip) {
+      // The nearest row of the fluid stands half a spacing before the face, and may come nearer by as much again.
+      update.least_distance = static_cast<Real>(0.25 * constants_.spacing);
+      update.depth = wall_fields_.depth->data();
       update.wall_velocity = vector_input<Dim>(*wall_fields_.slide);
       point_at<Dim>(*wall_fields_.velocity, update.velocity);
     }

@@ -28,6 +28,7 @@ struct FluidConstants {
   bool extrapolated;      // walls have a pressure of their own
   double h;               // m
   double support_radius;  // m
+  double spacing;         // dx, m
   double mass;            // kg
   double rest_density;    // kg/m^Dim
   int exponent;
@@ -49,6 +50,7 @@ struct FluidFields {
 template <int Dim>
 struct WallFields {
   WallFields(ParticleSet<Dim>& walls, const FluidConstants& constants);
+  Field* depth = nullptr;     // behind the face
   Field* slide = nullptr;     // prescribed velocity of the surface
   Field* velocity = nullptr;  // as the fluid's viscosity meets it
   Field* density = nullptr;

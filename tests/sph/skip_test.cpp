@@ -212,7 +212,7 @@ TYPED_TEST(SkipIn, WallsHaveOnlyTheFieldsThatTheirSceneReads) {
       EXPECT_THAT(wall_fields<dim>(scene), IsEmpty()) << name_of(slip);
       scene.solver.wall_pressure = WallPressure::extrapolated;
       if (slip == WallSlip::no_slip) {
-        EXPECT_THAT(wall_fields<dim>(scene), ElementsAre("density", "pressure_term", "slide", "velocity"));
+        EXPECT_THAT(wall_fields<dim>(scene), ElementsAre("density", "pressure_term", "depth", "slide", "velocity"));
       } else {
         EXPECT_THAT(wall_fields<dim>(scene), ElementsAre("density", "pressure_term"));
       }

@@ -10,12 +10,12 @@
 
 namespace weir {
 
-// Sums of W, of the pressure that the fluid has there times W, and, where walls hold the fluid, of its velocity times W; W
-// over the kernel's alpha.
+// Sums of W, of the pressure that the fluid has there times W, and, where walls hold the fluid, of its velocity and of the
+// displacement from it times W; W over the kernel's alpha.
 template <int Dim, template <int> class Kernel, bool no_slip>
 struct WallStatePass {
   static constexpr int dimension = Dim;
-  static constexpr int components = no_slip ? 2 + Dim : 2;
+  static constexpr int components = no_slip ? 2 + 2 * Dim : 2;
   static constexpr bool prunes = true;  // the only loop over these lists
 
   KernelAt<Kernel<Dim>, Real> kernel;
@@ -52,7 +52,10 @@ struct WallStatePass {
     sums[0] = w;
     sums[1] = w * pressure_seen_at_wall(j.p, j.rho, g, x_wj);
     if constexpr (no_slip) {
-      for (int d = 0; d < Dim; ++d) sums[2 + d] = w * j.v[d];
+      for (int d = 0; d < Dim; ++d) {
+        sums[2 + d] = w * j.v[d];
+        sums[2 + Dim + d] = w * x_wj[d];
+      }
     }
     return sums;
   }
@@ -62,13 +65,15 @@ struct WallStatePass {
 // rest density and the wall's velocity, and is read by nothing.
 template <int Dim, bool no_slip>
 struct WallState {
-  static constexpr int components = no_slip ? 2 + Dim : 2;
+  static constexpr int components = no_slip ? 2 + 2 * Dim : 2;
   using Result = Empty;
   template <class R>
   using Running = Empty;
 
   StateEquation state;
   VectorInput<Dim> wall_velocity;
+  const float* depth = nullptr;  // behind the face, m
+  Real least_distance = 0;       // of the fluid from the face, m
   float* density = nullptr;
   float* pressure_term = nullptr;  // p / rho^2
   float* velocity[Dim] = {};
@@ -84,9 +89,13 @@ struct WallState {
     at.store(rho, density);
     at.store(at.of_particles(pressure_over_density_squared(p, rho), R(0)), pressure_term);
     if constexpr (no_slip) {
+      Vec<Dim, R> displacement;
+      for (int d = 0; d < Dim; ++d) displacement[d] = shepard_mean(at.sum(2 + Dim + d), weights);
+      const R ratio = distance_ratio(at.load(depth), displacement, R(least_distance));
       for (int d = 0; d < Dim; ++d) {
         const R v_wall = at.load(wall_velocity.component[d]);
-        at.store(at.of_particles(no_slip_velocity(v_wall, shepard_mean(at.sum(2 + d), weights)), R(0)), velocity[d]);
+        const R v = no_slip_velocity(v_wall, shepard_mean(at.sum(2 + d), weights), ratio);
+        at.store(at.of_particles(v, R(0)), velocity[d]);
       }
     }
   }
