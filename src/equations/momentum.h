@@ -4,6 +4,7 @@
 // [Hinsch24]   J. Hinsch, A Simple 2D SPH Fluid Solver, University of Freiburg, 2024.
 // [Morris97]   J. P. Morris, P. J. Fox, Y. Zhu, Modeling low Reynolds number incompressible flows using SPH,
 //              J. Comput. Phys. 136 (1997) 214-226; in the form of [Ihmsen14].
+// [Monaghan92] J. J. Monaghan, Smoothed particle hydrodynamics, Annu. Rev. Astron. Astrophys. 30 (1992) 543-574.
 // [Monaghan05] J. J. Monaghan, Smoothed particle hydrodynamics, Rep. Prog. Phys. 68 (2005) 1703-1759.
 // [Ihmsen14]   M. Ihmsen, J. Orthmann, B. Solenthaler, A. Kolb, M. Teschner, SPH fluids in computer graphics,
 //              Eurographics 2014 state of the art reports.
@@ -87,6 +88,31 @@ struct MonaghanViscosity {
   template <int Dim, class R>
   Central<R> from_fluid(const Pair<Dim, R>& pair) const {
     return central_friction(pair, R(factor), twice_mean_density(pair), R(softening));
+  }
+  template <int Dim, class R>
+  Central<R> from_wall(const Pair<Dim, R>& pair) const {
+    return from_fluid(pair);
+  }
+};
+
+// What damps shocks alone: the friction of MonaghanViscosity between particles that approach each other. Its alpha is
+// 2 (Dim + 2) nu / (h c0).
+struct ArtificialViscosity {
+  static constexpr bool action_is_reaction = true;
+  Real factor;     // -4 (Dim + 2) nu, m^2/s
+  Real softening;  // viscosity_softening h^2, m^2
+
+  template <int Dim>
+  static ArtificialViscosity of(double nu, double h) {
+    const MonaghanViscosity both = MonaghanViscosity::of<Dim>(nu, h);
+    return {both.factor, both.softening};
+  }
+
+  // alpha h c0 min(u_ij . x_ij, 0) / (rho_ij (r^2 + 0.01 h^2)) grad W_ij, m/s^2. [Monaghan92 eq. 4.2]
+  template <int Dim, class R>
+  Central<R> from_fluid(const Pair<Dim, R>& pair) const {
+    const R approach = -positive_part(-dot(pair.v_ij, pair.x_ij));
+    return {quotient(R(factor) * (approach * pair.f), twice_mean_density(pair) * (pair.r2 + R(softening)))};
   }
   template <int Dim, class R>
   Central<R> from_wall(const Pair<Dim, R>& pair) const {

@@ -94,7 +94,9 @@ void describe(V& v, Volume& volume) {
 template <class V>
 void describe(V& v, Viscosity& viscosity) {
   v.field("model", viscosity.model,
-          Spec{.meaning = "form of the viscous term; hinsch2024 is the printed form, kept for comparison"});
+          Spec{.meaning =
+                   "form of the viscous term; artificial: of monaghan, between particles that approach each other "
+                   "alone, with alpha = 2 (d + 2) nu / (h c0); hinsch2024 is the printed form, kept for comparison"});
   v.field("kinematic", viscosity.kinematic, viscosity_spec);
 }
 

@@ -24,7 +24,8 @@ double time_step(const Scene& scene) {
   if (g > 0) dt = std::min(dt, force_limit(step.force, h, g));
   const double nu = scene.fluid.viscosity.kinematic;
   if (scene.fluid.viscosity.model != ViscosityModel::none && nu > 0) {
-    const bool central = scene.fluid.viscosity.model == ViscosityModel::monaghan;
+    const bool central = scene.fluid.viscosity.model == ViscosityModel::monaghan ||
+                         scene.fluid.viscosity.model == ViscosityModel::artificial;
     dt = std::min(dt, viscous_limit(step.viscous, h, central ? central_diffusivity(nu) : nu));
   }
   if (step.maximum > 0) dt = std::min(dt, step.maximum);

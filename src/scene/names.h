@@ -23,11 +23,12 @@ struct Names;
 
 template <>
 struct Names<ViscosityModel> {
-  static constexpr std::array<Name<ViscosityModel>, 4> built{{{ViscosityModel::none, "none"},
+  static constexpr std::array<Name<ViscosityModel>, 5> built{{{ViscosityModel::none, "none"},
                                                               {ViscosityModel::morris, "morris"},
                                                               {ViscosityModel::monaghan, "monaghan"},
+                                                              {ViscosityModel::artificial, "artificial"},
                                                               {ViscosityModel::hinsch2024, "hinsch2024"}}};
-  static constexpr Later<2> later{"artificial", "mueller2003"};
+  static constexpr Later<1> later{"mueller2003"};
 };
 template <>
 struct Names<SurfaceTensionModel> {

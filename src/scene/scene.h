@@ -53,7 +53,7 @@ struct Volume {
   StartPressure pressure = StartPressure::none;  // of methods that carry a density
 };
 
-enum class ViscosityModel { none, morris, monaghan, hinsch2024 };
+enum class ViscosityModel { none, morris, monaghan, artificial, hinsch2024 };
 struct Viscosity {
   ViscosityModel model = ViscosityModel::morris;
   double kinematic = 1.0e-6;  // m^2/s

@@ -113,6 +113,7 @@ std::optional<double> SphSolver<Dim>::diffusivity() const {
     case ViscosityModel::none:
       return std::nullopt;
     case ViscosityModel::monaghan:
+    case ViscosityModel::artificial:
       return central_diffusivity(parameters_.viscosity);
     case ViscosityModel::morris:
     case ViscosityModel::hinsch2024:

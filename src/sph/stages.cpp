@@ -109,6 +109,8 @@ PairStage<Dim> Stages<Dim>::with_viscosity(bool viscous, double nu, const Make& 
       return make(MorrisViscosity::of<Dim>(nu, h));
     case ViscosityModel::monaghan:
       return make(MonaghanViscosity::of<Dim>(nu, h));
+    case ViscosityModel::artificial:
+      return make(ArtificialViscosity::of<Dim>(nu, h));
     case ViscosityModel::hinsch2024:
       return make(Hinsch2024Viscosity::of<Dim>(nu, h));
     case ViscosityModel::none:

@@ -117,7 +117,10 @@ TEST(Momentum, PressureRepelsAndViscosityOpposesMotion) {
   // nu = 1 and no softening: 2 nu F / rho, and 2 (2 + 2) nu F / rho, against the motion.
   EXPECT_EQ(from_fluid(MorrisViscosity::of<2>(1, 0)), -2);
   EXPECT_EQ(from_fluid(MonaghanViscosity::of<2>(1, 0)), -8);
+  EXPECT_EQ(from_fluid(ArtificialViscosity::of<2>(1, 0)), 0);  // they part
   EXPECT_EQ(from_fluid(Hinsch2024Viscosity::of<2>(1, 0)), -2);
+  pair.v_ij = {-1, 0};
+  EXPECT_EQ(from_fluid(ArtificialViscosity::of<2>(1, 0)), 8);  // they approach: as Monaghan's
   EXPECT_EQ(from_fluid(Hinsch2024SurfaceTension::of(3, 2)), -1.5) << "tension pulls towards neighbours: s / m F";
 }
 

@@ -56,7 +56,8 @@ TEST(Skip, AnAbsentViscosityIsAViscosityOfNothing) {
   for_each_dam_break([](Scene scene, InstructionSet set) {
     scene.fluid.viscosity = {ViscosityModel::none, 0};
     const std::string bare = hash_after(scene, set);
-    for (const ViscosityModel model : {ViscosityModel::morris, ViscosityModel::monaghan, ViscosityModel::hinsch2024}) {
+    for (const ViscosityModel model :
+         {ViscosityModel::morris, ViscosityModel::monaghan, ViscosityModel::artificial, ViscosityModel::hinsch2024}) {
       scene.fluid.viscosity = {model, 0};
       for (const WallSlip slip : {WallSlip::no_slip, WallSlip::free_slip}) {
         scene.solver.wall_slip = slip;

@@ -74,6 +74,9 @@ std::vector<Case> cases_of_methods() {
         }
       }
     }
+    Scene shocked = small_dam_break(dimension, dimension == 2 ? 0.02 : 0.05);
+    shocked.fluid.viscosity = {ViscosityModel::artificial, 0.01};
+    cases.push_back({fmt::format("{}d artificial", dimension), std::move(shocked), 120});
     Scene scene = free_fluid(dimension, dimension == 2 ? 40 : 18);
     scene.periodic = {Axis::x, Axis::y};
     scene.fluid.volumes[0].perturbation = 0.2;

@@ -181,6 +181,8 @@ std::vector<Vec<Dim, double>> accelerations_over_all_pairs(const State<Dim>& sta
       return with(MorrisViscosity::of<Dim>(nu, h));
     case ViscosityModel::monaghan:
       return with(MonaghanViscosity::of<Dim>(nu, h));
+    case ViscosityModel::artificial:
+      return with(ArtificialViscosity::of<Dim>(nu, h));
     case ViscosityModel::hinsch2024:
       return with(Hinsch2024Viscosity::of<Dim>(nu, h));
   }
@@ -224,8 +226,8 @@ TYPED_TEST(WcsphIn, EveryChoiceOfTermsEqualsTheSamePassesInDoubleOverAllPairs) {
   ThreadPool pool(2);
   for (const InstructionSet set : usable_instruction_sets()) {
     for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2, KernelName::wendland_c4}) {
-      for (const ViscosityModel viscosity :
-           {ViscosityModel::none, ViscosityModel::morris, ViscosityModel::monaghan, ViscosityModel::hinsch2024}) {
+      for (const ViscosityModel viscosity : {ViscosityModel::none, ViscosityModel::morris, ViscosityModel::monaghan,
+                                             ViscosityModel::artificial, ViscosityModel::hinsch2024}) {
         for (const WallSlip slip : {WallSlip::no_slip, WallSlip::free_slip}) {
           for (const SurfaceTensionModel tension : {SurfaceTensionModel::none, SurfaceTensionModel::hinsch2024}) {
             Scene scene = small_dam_break(dim, dim == 2 ? 0.025 : 0.05);
