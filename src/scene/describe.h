@@ -322,6 +322,16 @@ void describe(V& v, Movie& movie) {
 }
 
 template <class V>
+void describe(V& v, ParticleFiles& particles) {
+  v.field(
+      "every", OrWord<double>{particles.every, 0, "frame"},
+      Spec{.meaning = "run time between files, each at the first step at or after it; frame: one at each frame time",
+           .unit = "s",
+           .range = positive});
+  v.field("fields", particles.fields, Spec{.meaning = "quantities beside the positions"});
+}
+
+template <class V>
 void describe(V& v, Output& output) {
   v.toggle("movie", output.movie, "<name>.mp4: true, false or how it is encoded");
   v.field("frames", output.frames, Spec{.meaning = "every frame as a PNG file"});
@@ -330,7 +340,8 @@ void describe(V& v, Output& output) {
   v.group("log", "log.csv", [&](auto& sub) {
     sub.field("every", output.log.every, Spec{.meaning = "time between rows", .unit = "s", .range = positive});
   });
-  v.not_built("particles", EmptyForm::off, "particle files");
+  v.toggle("particles", output.particles,
+           "particles_00000.vtp and so on, and particles.pvd, for ParaView: true, false or what they hold");
   v.not_built("checkpoint", EmptyForm::off, "checkpoints");
 }
 

@@ -123,7 +123,7 @@ render:
   transparent: true
   walls: false
 probes: []
-output: {movie: {quality: 10}, frames: true, stills: [0, 0.5], log: {every: 0.1}, particles: false, checkpoint: false}
+output: {movie: {quality: 10}, frames: true, stills: [0, 0.5], log: {every: 0.1}, particles: {every: 0.5, fields: [velocity, id]}, checkpoint: false}
 )");
   EXPECT_EQ(scene.title, "Dam break");
   EXPECT_EQ(scene.fluid.rest_density, 998);
@@ -148,6 +148,8 @@ output: {movie: {quality: 10}, frames: true, stills: [0, 0.5], log: {every: 0.1}
   EXPECT_EQ(scene.output.movie->quality, 10);
   EXPECT_EQ(scene.output.movie->preset, "ultrafast");
   EXPECT_THAT(scene.output.stills, ElementsAre(0, 0.5));
+  EXPECT_EQ(scene.output.particles->every, 0.5);
+  EXPECT_THAT(scene.output.particles->fields, ElementsAre(field_of(Quantity::velocity), field_of(Quantity::id)));
 }
 
 TEST(Reader, RefusesUnknownKeysAndGuessesWhatWasMeant) {
@@ -286,13 +288,25 @@ TEST(Reader, RefusesTwoKeysThatExcludeEachOther) {
               ElementsAre("s.yaml:6:44: walls.0.box stands beside walls.0.tank; give one of them"));
 }
 
+TEST(Reader, KnowsTheFormsOfParticleFiles) {
+  EXPECT_THAT(with_line("output: {particles: true}"), IsEmpty());
+  EXPECT_THAT(with_line("output: {particles: {every: frame, fields: []}}"), IsEmpty());
+  EXPECT_THAT(with_line("output: {particles: {every: 0, fields: [id, id]}}"),
+              ElementsAre("s.yaml:6:22: output.particles.every must be above 0 s, got 0",
+                          "s.yaml:6:45: output.particles.fields holds 'id' twice"));
+  EXPECT_THAT(with_line("output: {particles: {every: 1e-12, fields: [colour]}}"),
+              ElementsAre("s.yaml:6:45: output.particles.fields.0 expects one of speed, density, pressure, velocity, "
+                          "id, volume, got 'colour'"));
+  EXPECT_THAT(with_line("output: {particles: {every: 1e-12}}"),
+              ElementsAre("s.yaml:6:22: output.particles.every makes 2e+12 files; a run has at most 1e+09"));
+}
+
 TEST(Reader, RefusesReservedKeysByName) {
   EXPECT_THAT(with_line("bodies: [{}]"),
               ElementsAre("s.yaml:6:1: bodies is not built yet (rigid bodies); leave it out"));
   EXPECT_THAT(with_line("probes: [{}]"), ElementsAre("s.yaml:6:1: probes is not built yet (probes); leave it out"));
-  EXPECT_THAT(with_line("output: {particles: true, checkpoint: {every: 60}}"),
-              ElementsAre("s.yaml:6:10: output.particles is not built yet (particle files); leave it out",
-                          "s.yaml:6:27: output.checkpoint is not built yet (checkpoints); leave it out"));
+  EXPECT_THAT(with_line("output: {checkpoint: {every: 60}}"),
+              ElementsAre("s.yaml:6:10: output.checkpoint is not built yet (checkpoints); leave it out"));
   EXPECT_THAT(with_line("walls: [{tank: {min: [0, 0], max: [1, 1], motion: {turn: 1}}}]"),
               ElementsAre("s.yaml:6:52: unknown key 'walls.0.tank.motion.turn'"));
   EXPECT_THAT(

@@ -53,7 +53,7 @@ camera:
   view: {center: [1, 1], width: 5}
   keyframes: [{at: 0.25, center: [1, 2], width: 3}]
 render: {size: [640, 480], fps: 20, color: {by: density, map: magma, range: [900, 1100]}, overlay: [time], theme: dark, transparent: true, walls: false}
-output: {movie: {encoder: libx264, quality: 18, preset: fast}, frames: true, stills: [0.5], log: {every: 0.5}}
+output: {movie: {encoder: libx264, quality: 18, preset: fast}, frames: true, stills: [0.5], log: {every: 0.5}, particles: {every: 0.25, fields: [volume, velocity]}}
 )",
     R"(weir: 1
 dimension: 2
