@@ -10,8 +10,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool is_numbered_png(std::string_view name, std::string_view prefix) {
-  constexpr std::string_view suffix = ".png";
+bool is_numbered(std::string_view name, std::string_view prefix, std::string_view suffix) {
   if (!name.starts_with(prefix) || !name.ends_with(suffix)) return false;
   name.remove_prefix(prefix.size());
   name.remove_suffix(std::min(suffix.size(), name.size()));
@@ -31,11 +30,11 @@ std::vector<fs::path> existing(const std::vector<fs::path>& files) {
   return found;
 }
 
-std::vector<fs::path> numbered_pngs(const fs::path& folder, std::string_view prefix) {
+std::vector<fs::path> numbered_files(const fs::path& folder, std::string_view prefix, std::string_view suffix) {
   std::vector<fs::path> files;
   std::error_code missing;
   for (fs::directory_iterator entry(folder, missing), end; !missing && entry != end; entry.increment(missing)) {
-    if (is_numbered_png(entry->path().filename().string(), prefix)) files.push_back(entry->path());
+    if (is_numbered(entry->path().filename().string(), prefix, suffix)) files.push_back(entry->path());
   }
   return files;
 }

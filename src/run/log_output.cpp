@@ -6,7 +6,7 @@
 #include "core/stopwatch.h"
 #include "output/log.h"
 #include "run/left_files.h"
-#include "run/log_schedule.h"
+#include "run/schedule.h"
 
 namespace weir {
 
@@ -54,7 +54,7 @@ class LogOutput final : public Observer {
 
  private:
   int dimension_;
-  LogSchedule schedule_;
+  Schedule schedule_;
   std::optional<LogWriter> log_;
   std::vector<Diagnostics> early_rows_;  // of steps ahead of the file
   double max_density_error_ = 0;         // over all rows

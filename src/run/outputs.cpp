@@ -3,6 +3,7 @@
 #include <array>
 
 #include "run/log_output.h"
+#include "run/particle_output.h"
 #include "run/picture_output.h"
 
 namespace weir {
@@ -11,6 +12,7 @@ std::span<const OutputKind> output_kinds() {
   static constexpr std::array kinds{
       picture_output,
       log_output,
+      particle_output,
   };
   return kinds;
 }

@@ -30,8 +30,8 @@ std::vector<fs::path> picture_files(const Scene& scene) {
 
 std::vector<fs::path> pictures_left_in(const fs::path& folder, const Scene& scene) {
   std::vector<fs::path> files = existing({folder / movie_file(scene), folder / (scene.name + ".part.mp4")});
-  for (const fs::path& png : numbered_pngs(folder / "frames", "frame_")) files.push_back(png);
-  for (const fs::path& png : numbered_pngs(folder / "stills", "still_")) files.push_back(png);
+  for (const fs::path& png : numbered_files(folder / "frames", "frame_", ".png")) files.push_back(png);
+  for (const fs::path& png : numbered_files(folder / "stills", "still_", ".png")) files.push_back(png);
   return files;
 }
 

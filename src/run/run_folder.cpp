@@ -27,6 +27,15 @@ namespace {
 // The first line of every scene.yaml in a run folder. A file without it is the user's and is never touched.
 constexpr std::string_view mark = "# The effective scene of a run of weir, all defaults filled in.\n";
 
+// "particles_00042.vtp" -> "particles_*.vtp": the name that numbered files share.
+std::string without_number(const fs::path& file) {
+  std::string stem = file.stem().string();
+  const std::size_t last = stem.find_last_not_of("0123456789");
+  const bool numbered = last != std::string::npos && stem[last] == '_' && stem.size() - last > 5;
+  if (numbered) stem.replace(last + 1, std::string::npos, "*");
+  return stem + file.extension().string();
+}
+
 }  // namespace
 
 std::optional<Manifest> past_run(const fs::path& manifest_file) {
@@ -57,7 +66,7 @@ std::vector<fs::path> RunFolder::files_of_outputs() const {
 std::vector<std::string> RunFolder::top_names_of_outputs() const {
   std::vector<std::string> names;
   for (const fs::path& file : files_of_outputs()) {
-    std::string name = file.begin()->string();
+    std::string name = without_number(*file.begin());
     if (file.has_parent_path()) name += '/';
     if (names.empty() || names.back() != name) names.push_back(std::move(name));
   }

@@ -30,7 +30,7 @@ class RunFolder {
   std::filesystem::path scene_file() const { return folder_ / "scene.yaml"; }
   std::filesystem::path manifest_file() const { return folder_ / "manifest.json"; }
   std::filesystem::path trace_file() const { return folder_ / "trace.json"; }
-  // Files and folders of the outputs that the scene asks for: "dam_break.mp4", "frames/".
+  // Files and folders of the outputs that the scene asks for: "dam_break.mp4", "frames/", "particles_*.vtp".
   std::vector<std::string> top_names_of_outputs() const;
 
   // The run of this scene by this version is here, ended without error, and lacks none of its files.

@@ -75,6 +75,12 @@ void check_pictures(Checker& checker) {
     checker.add("output.log.every", fmt::format("makes {:.3g} rows; a log has at most {:.3g}",
                                                 scene.duration / scene.output.log.every, max_count));
   }
+  if (const auto& particles = scene.output.particles; particles && checker.usable("duration", "output.particles") &&
+                                                      particles->every > 0 &&
+                                                      scene.duration / particles->every > max_count) {
+    checker.add("output.particles.every", fmt::format("makes {:.3g} files; a run has at most {:.3g}",
+                                                      scene.duration / particles->every, max_count));
+  }
   check_stills(checker);
   const bool pictures = scene.output.frames || !scene.output.stills.empty();
   if (scene.render.transparent && !pictures && checker.usable("render.transparent", "output")) {

@@ -149,6 +149,16 @@ void describe(V& v, Round& round) {
 }
 
 template <class V>
+void describe(V& v, PolygonWall& polygon) {
+  v.field("points", polygon.points,
+          Spec{.meaning = "corners in order, in either sense; the fluid touches the outline itself",
+               .unit = "m",
+               .required = true,
+               .least = 3});
+  v.field("solid", polygon.solid, Spec{.meaning = "inside: an obstacle; outside: a container"});
+}
+
+template <class V>
 void describe(V& v, Wall& wall) {
   const auto common = [&](auto& sub) {
     sub.field(
@@ -166,7 +176,8 @@ void describe(V& v, Wall& wall) {
            Named<Block>{"box", "a solid box: layers grow inwards from its faces"},
            Named<Polyline>{"polyline", "a line of straight pieces (2D): layers grow to one side", 2},
            Named<Round>{"disc", "a disc, solid or hollow (2D)", 2},
-           Named<Round>{"ball", "a ball, solid or hollow (3D)", 3});
+           Named<Round>{"ball", "a ball, solid or hollow (3D)", 3},
+           Named<PolygonWall>{"polygon", "a simple polygon, solid or hollow (2D)", 2});
   v.not_built("plane", EmptyForm::none, "a wall without particles");
 }
 
@@ -324,6 +335,16 @@ void describe(V& v, Movie& movie) {
 }
 
 template <class V>
+void describe(V& v, ParticleFiles& particles) {
+  v.field(
+      "every", OrWord<double>{particles.every, 0, "frame"},
+      Spec{.meaning = "run time between files, each at the first step at or after it; frame: one at each frame time",
+           .unit = "s",
+           .range = positive});
+  v.field("fields", particles.fields, Spec{.meaning = "quantities beside the positions"});
+}
+
+template <class V>
 void describe(V& v, Output& output) {
   v.toggle("movie", output.movie, "<name>.mp4: true, false or how it is encoded");
   v.field("frames", output.frames, Spec{.meaning = "every frame as a PNG file"});
@@ -332,7 +353,8 @@ void describe(V& v, Output& output) {
   v.group("log", "log.csv", [&](auto& sub) {
     sub.field("every", output.log.every, Spec{.meaning = "time between rows", .unit = "s", .range = positive});
   });
-  v.not_built("particles", EmptyForm::off, "particle files");
+  v.toggle("particles", output.particles,
+           "particles_00000.vtp and so on, and particles.pvd, for ParaView: true, false or what they hold");
   v.not_built("checkpoint", EmptyForm::off, "checkpoints");
 }
 

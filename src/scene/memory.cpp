@@ -35,10 +35,22 @@ double content(const Block& block, int dimension, double thick) {
   return box_content(block.max - block.min, dimension) - box_content(block.max - block.min - 2 * thick, dimension);
 }
 double content(const Polyline& line, int, double thick) { return length_of(line) * thick; }
+double content(const PolygonWall& polygon, int, double thick) { return length_of(outline_of(polygon)) * thick; }
 double content(const Round& round, int dimension, double thick) {
   const double inner = round.solid == Face::inside ? std::max(round.radius - thick, 0.0) : round.radius;
   const double outer = round.solid == Face::inside ? round.radius : round.radius + thick;
   return measure(Ball{round.center, outer}, dimension) - measure(Ball{round.center, inner}, dimension);
+}
+
+// A snapshot, and its file twice while it is put together: the same numbers, in vectors of three, and two more for each
+// particle.
+double bytes_in_particle_files(const Scene& scene) {
+  if (!scene.output.particles) return 0;
+  double numbers = 3 * 3 + 2 * 2;
+  for (const ParticleField field : scene.output.particles->fields) {
+    numbers += facts_of(quantity_of(field)).components == Components::one ? 3 : 3 * 3;
+  }
+  return 4 * numbers;
 }
 
 }  // namespace
@@ -66,7 +78,7 @@ double bytes_per_particle(const Scene& scene) {
   const double lists = (d == 2 ? 1.2 : 0.9) * listed;
   // Pictures: 16 bytes in each of three snapshots, in the frame made of one and in the copy that is drawn from.
   const double pictures = draws(scene) ? 5 * 16 : 0;
-  return state + lists + pictures;
+  return state + lists + pictures + bytes_in_particle_files(scene);
 }
 
 double expected_particles(const Scene& scene, const Volume& volume) {

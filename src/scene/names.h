@@ -113,6 +113,15 @@ struct Names<Quantity> {
   static constexpr Later<0> later{};
 };
 template <>
+struct Names<ParticleField> {
+  static constexpr auto built = [] {
+    std::array<Name<ParticleField>, quantities.size()> names{};
+    for (std::size_t i = 0; i < names.size(); ++i) names[i] = {field_of(quantities[i].quantity), quantities[i].name};
+    return names;
+  }();
+  static constexpr Later<0> later{};
+};
+template <>
 struct Names<ColormapName> {
   static constexpr std::array<Name<ColormapName>, 5> built{{{ColormapName::viridis, "viridis"},
                                                             {ColormapName::cividis, "cividis"},

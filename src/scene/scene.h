@@ -104,7 +104,11 @@ struct Round {  // a disc in 2D, a ball in 3D
   double radius = 0;
   Face solid = Face::inside;  // inside: an obstacle; outside: a container
 };
-using WallShape = std::variant<Tank, Block, Polyline, Round>;
+struct PolygonWall {  // 2D only; simple, in either sense of rotation
+  std::vector<Vec3> points;
+  Face solid = Face::inside;  // as of Round
+};
+using WallShape = std::variant<Tank, Block, Polyline, Round, PolygonWall>;
 
 struct Wall {
   WallShape shape;
@@ -241,11 +245,21 @@ struct Movie {
 struct Log {
   double every = 0.01;  // s
 };
+// A quantity in a particle file. A type of its own, since Names<Quantity> has only those that colour.
+enum class ParticleField : int {};
+constexpr ParticleField field_of(Quantity quantity) { return static_cast<ParticleField>(quantity); }
+constexpr Quantity quantity_of(ParticleField field) { return static_cast<Quantity>(field); }
+struct ParticleFiles {
+  double every = 0;  // s; 0: at every frame time
+  std::vector<ParticleField> fields{field_of(Quantity::velocity), field_of(Quantity::density),
+                                    field_of(Quantity::pressure), field_of(Quantity::id)};
+};
 struct Output {
   std::optional<Movie> movie = Movie{};
   bool frames = false;
   std::vector<double> stills;  // s; frame times
   Log log;
+  std::optional<ParticleFiles> particles{};
 };
 
 struct Scene {

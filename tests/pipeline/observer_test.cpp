@@ -65,6 +65,12 @@ TEST(Outputs, NameTheFilesThatTheSceneAsksFor) {
   scene.output.movie.reset();
   scene.output.stills.clear();
   EXPECT_THAT(files(), ElementsAre("log.csv"));
+  scene.output.particles.emplace();
+  scene.duration = 0.05;
+  EXPECT_THAT(files(), ElementsAre("log.csv", "particles.pvd", "particles_00000.vtp", "particles_00001.vtp"));
+  // How many there are depends on the steps.
+  scene.output.particles->every = 0.001;
+  EXPECT_THAT(files(), ElementsAre("log.csv", "particles.pvd", "particles_00000.vtp"));
 }
 
 }  // namespace

@@ -100,6 +100,7 @@ fluid:
 walls:
   - tank: {min: [0, 0], max: [3, 2], open: [top], layers: 2}
   - polyline: {points: [[1, 0.5], [2, 0.5]], solid: left, holes: [{disc: {center: [1.5, 0.5], radius: 0.1}}]}
+  - polygon: {points: [[2.4, 0.4], [2.8, 0.4], [2.6, 0.8], [2.4, 0.4]], solid: inside, layers: 3}
 periodic: []
 bodies: []
 solver:
@@ -123,7 +124,7 @@ render:
   transparent: true
   walls: false
 probes: []
-output: {movie: {quality: 10}, frames: true, stills: [0, 0.5], log: {every: 0.1}, particles: false, checkpoint: false}
+output: {movie: {quality: 10}, frames: true, stills: [0, 0.5], log: {every: 0.1}, particles: {every: 0.5, fields: [velocity, id]}, checkpoint: false}
 )");
   EXPECT_EQ(scene.title, "Dam break");
   EXPECT_EQ(scene.fluid.rest_density, 998);
@@ -135,6 +136,8 @@ output: {movie: {quality: 10}, frames: true, stills: [0, 0.5], log: {every: 0.1}
   EXPECT_EQ(scene.walls.at(0).layers, 2);
   EXPECT_EQ(std::get<Polyline>(scene.walls.at(1).shape).solid, Flank::left);
   EXPECT_EQ(std::get<Ball>(scene.walls.at(1).holes.at(0)).radius, 0.1);
+  EXPECT_EQ(std::get<PolygonWall>(scene.walls.at(2).shape).points.at(1), Vec3(2.8, 0.4, 0));
+  EXPECT_EQ(std::get<PolygonWall>(scene.walls.at(2).shape).solid, Face::inside);
   EXPECT_EQ(scene.solver.kernel.smoothing, 1.5);
   EXPECT_EQ(std::get<SoundSpeed>(scene.solver.compressibility).c0, 30);
   EXPECT_EQ(scene.solver.exponent, 1);
@@ -148,6 +151,8 @@ output: {movie: {quality: 10}, frames: true, stills: [0, 0.5], log: {every: 0.1}
   EXPECT_EQ(scene.output.movie->quality, 10);
   EXPECT_EQ(scene.output.movie->preset, "ultrafast");
   EXPECT_THAT(scene.output.stills, ElementsAre(0, 0.5));
+  EXPECT_EQ(scene.output.particles->every, 0.5);
+  EXPECT_THAT(scene.output.particles->fields, ElementsAre(field_of(Quantity::velocity), field_of(Quantity::id)));
 }
 
 TEST(Reader, RefusesUnknownKeysAndGuessesWhatWasMeant) {
@@ -175,7 +180,7 @@ TEST(Reader, NamesMissingKeysAtTheMapThatLacksThem) {
               ElementsAre("s.yaml:1:1: missing key 'weir'; a scene begins with 'weir: 1'",
                           "s.yaml:4:1: missing key 'fluid.volumes'"));
   EXPECT_THAT(with_line("walls: [{}]"),
-              ElementsAre("s.yaml:6:9: walls.0 needs one of the keys tank, box, polyline, disc"));
+              ElementsAre("s.yaml:6:9: walls.0 needs one of the keys tank, box, polyline, disc, polygon"));
 }
 
 TEST(Reader, RefusesWrongTypes) {
@@ -286,13 +291,25 @@ TEST(Reader, RefusesTwoKeysThatExcludeEachOther) {
               ElementsAre("s.yaml:6:44: walls.0.box stands beside walls.0.tank; give one of them"));
 }
 
+TEST(Reader, KnowsTheFormsOfParticleFiles) {
+  EXPECT_THAT(with_line("output: {particles: true}"), IsEmpty());
+  EXPECT_THAT(with_line("output: {particles: {every: frame, fields: []}}"), IsEmpty());
+  EXPECT_THAT(with_line("output: {particles: {every: 0, fields: [id, id]}}"),
+              ElementsAre("s.yaml:6:22: output.particles.every must be above 0 s, got 0",
+                          "s.yaml:6:45: output.particles.fields holds 'id' twice"));
+  EXPECT_THAT(with_line("output: {particles: {every: 1e-12, fields: [colour]}}"),
+              ElementsAre("s.yaml:6:45: output.particles.fields.0 expects one of speed, density, pressure, velocity, "
+                          "id, volume, got 'colour'"));
+  EXPECT_THAT(with_line("output: {particles: {every: 1e-12}}"),
+              ElementsAre("s.yaml:6:22: output.particles.every makes 2e+12 files; a run has at most 1e+09"));
+}
+
 TEST(Reader, RefusesReservedKeysByName) {
   EXPECT_THAT(with_line("bodies: [{}]"),
               ElementsAre("s.yaml:6:1: bodies is not built yet (rigid bodies); leave it out"));
   EXPECT_THAT(with_line("probes: [{}]"), ElementsAre("s.yaml:6:1: probes is not built yet (probes); leave it out"));
-  EXPECT_THAT(with_line("output: {particles: true, checkpoint: {every: 60}}"),
-              ElementsAre("s.yaml:6:10: output.particles is not built yet (particle files); leave it out",
-                          "s.yaml:6:27: output.checkpoint is not built yet (checkpoints); leave it out"));
+  EXPECT_THAT(with_line("output: {checkpoint: {every: 60}}"),
+              ElementsAre("s.yaml:6:10: output.checkpoint is not built yet (checkpoints); leave it out"));
   EXPECT_THAT(with_line("walls: [{tank: {min: [0, 0], max: [1, 1], motion: {turn: 1}}}]"),
               ElementsAre("s.yaml:6:52: unknown key 'walls.0.tank.motion.turn'"));
   EXPECT_THAT(
@@ -300,7 +317,7 @@ TEST(Reader, RefusesReservedKeysByName) {
       ElementsAre("s.yaml:6:1: domain without periodic axes is not built yet; name axes in `periodic`, or leave "
                   "it out"));
   EXPECT_THAT(with_line("walls: [{plane: {}}]"),
-              ElementsAre("s.yaml:6:9: walls.0 needs one of the keys tank, box, polyline, disc",
+              ElementsAre("s.yaml:6:9: walls.0 needs one of the keys tank, box, polyline, disc, polygon",
                           "s.yaml:6:10: walls.0.plane is not built yet (a wall without particles); leave it out"));
   EXPECT_THAT(with_line("solver: {method: iisph}"),
               ElementsAre("s.yaml:6:10: solver.method 'iisph' is not built yet; choose from wcsph, delta_sph"));

@@ -1,4 +1,4 @@
-#include "run/log_schedule.h"
+#include "run/schedule.h"
 
 #include <cmath>
 
@@ -11,9 +11,9 @@ constexpr double rounding = 1e-9;
 
 }  // namespace
 
-bool LogSchedule::due(double time) const { return time >= (static_cast<double>(multiple_) - rounding) * every_; }
+bool Schedule::due(double time) const { return time >= (static_cast<double>(multiple_) - rounding) * every_; }
 
-void LogSchedule::written(double time) {
+void Schedule::written(double time) {
   multiple_ = static_cast<std::int64_t>(std::floor(time / every_ + rounding)) + 1;
   last_ = time;
 }
