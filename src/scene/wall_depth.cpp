@@ -42,6 +42,10 @@ double depth(const Polyline& line, int /*dimension*/, const Vec3& point) {
   return nearest;
 }
 
+double depth(const PolygonWall& polygon, int dimension, const Vec3& point) {
+  return depth(Polyline{.points = polygon.points, .closed = true}, dimension, point);
+}
+
 double depth(const Round& round, int /*dimension*/, const Vec3& point) {
   return std::abs(glm::length(point - round.center) - round.radius);
 }
