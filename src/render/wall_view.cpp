@@ -30,7 +30,9 @@ bool hides_inside(const Round& round, double thickness, const Vec3& particle, co
 
 bool hides_inside(const Block&, double, const Vec3&, const Vec3&) { return false; }
 
-bool hides_inside(const Polyline&, double, const Vec3&, const Vec3&) { return false; }  // 2D only
+// Shapes of 2D scenes.
+bool hides_inside(const Polyline&, double, const Vec3&, const Vec3&) { return false; }
+bool hides_inside(const PolygonWall&, double, const Vec3&, const Vec3&) { return false; }
 
 }  // namespace
 

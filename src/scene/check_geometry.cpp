@@ -55,19 +55,10 @@ class ShapeRules {
   }
   void operator()(const Block& block) { corners(block.min, block.max); }
   void operator()(const Polyline& line) {
-    if (!flat_only() || !few(line.points)) return;
-    const std::size_t n = line.points.size();
-    for (std::size_t i = 1; i < n; ++i) {
-      if (coincide(line.points[i], line.points[i - 1])) {
-        return checker_.add(fmt::format("{}.points.{}", path_, i), "repeats the point before it");
-      }
-    }
-    if (line.closed && n < 3) return checker_.add(path_ + ".points", "needs at least 3 points to close");
-    // A repeated first point also closes the line; a point close to it makes a segment without direction.
-    if (line.closed && line.points[n - 1] != line.points[0] && coincide(line.points[n - 1], line.points[0])) {
-      return checker_.add(fmt::format("{}.points.{}", path_, n - 1), "repeats the first point");
-    }
-    if (line.closed) simple(line.points);
+    if (flat_only() && few(line.points) && distinct(line.points, line.closed) && line.closed) simple(line.points);
+  }
+  void operator()(const PolygonWall& polygon) {
+    if (flat_only() && few(polygon.points) && distinct(polygon.points, true)) simple(polygon.points);
   }
   void operator()(const Round& round) { within_reach(round.center, round.radius); }
 
@@ -112,9 +103,31 @@ class ShapeRules {
     const double spacing = checker_.usable("particles.spacing") ? checker_.scene.particle_spacing : 0;
     return glm::length(a - b) <= 1e-6 * spacing;
   }
+  // Whether each piece between the points has a direction.
+  bool distinct(const std::vector<Vec3>& points, bool closed) {
+    const std::size_t n = points.size();
+    for (std::size_t i = 1; i < n; ++i) {
+      if (!coincide(points[i], points[i - 1])) continue;
+      checker_.add(fmt::format("{}.points.{}", path_, i), "repeats the point before it");
+      return false;
+    }
+    if (!closed) return true;
+    if (corners_of(points) < 3) {
+      checker_.add(path_ + ".points", "needs at least 3 points to close");
+      return false;
+    }
+    // A repeated first point also closes the line; a point close to it makes a segment without direction.
+    if (points[n - 1] == points[0] || !coincide(points[n - 1], points[0])) return true;
+    checker_.add(fmt::format("{}.points.{}", path_, n - 1), "repeats the first point");
+    return false;
+  }
+  // Of a ring, whose last point may be the first again.
+  static std::size_t corners_of(const std::vector<Vec3>& points) {
+    return points.size() > 1 && points.front() == points.back() ? points.size() - 1 : points.size();
+  }
   void within_reach(const Vec3& point, double radius) { check_reach(checker_, point, radius, path_); }
   void simple(const std::vector<Vec3>& points) {
-    const std::size_t n = points.size();
+    const std::size_t n = corners_of(points);
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t j = i + 2; j < n; ++j) {
         if (i == 0 && j == n - 1) continue;  // neighbours around the end

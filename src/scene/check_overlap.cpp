@@ -48,6 +48,10 @@ std::optional<Outline> outline(const Round& round, const Scene&) {
   return Outline{Ball{round.center, round.radius}, round.solid == Face::inside};
 }
 
+std::optional<Outline> outline(const PolygonWall& polygon, const Scene&) {
+  return Outline{Polygon{polygon.points}, polygon.solid == Face::inside};
+}
+
 std::optional<Outline> outline(const Wall& wall, const Scene& scene) {
   return std::visit([&](const auto& shape) { return outline(shape, scene); }, wall.shape);
 }
@@ -97,6 +101,11 @@ class Overlap {
     if (closed && !closed->solid_inside && wall.holes.empty()) containers_.push_back(widened(closed->shape));
 
     std::vector<Vec3> points = sample_wall(wall, dimension_, dx_, wall_layers(scene_, wall));
+    if (points.empty()) {
+      checker_.add(wall_path(scene_, index),
+                   fmt::format("makes no particle at a spacing of {} m: make it thicker, or the spacing smaller",
+                               number_text(dx_)));
+    }
     std::erase_if(points, [&](const Vec3& point) { return !contains(reach_, point); });
     std::sort(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) { return a.y < b.y; });
     for (Fluid& fluid : fluid_) {

@@ -147,6 +147,16 @@ void describe(V& v, Round& round) {
 }
 
 template <class V>
+void describe(V& v, PolygonWall& polygon) {
+  v.field("points", polygon.points,
+          Spec{.meaning = "corners in order, in either sense; the fluid touches the outline itself",
+               .unit = "m",
+               .required = true,
+               .least = 3});
+  v.field("solid", polygon.solid, Spec{.meaning = "inside: an obstacle; outside: a container"});
+}
+
+template <class V>
 void describe(V& v, Wall& wall) {
   const auto common = [&](auto& sub) {
     sub.field(
@@ -164,7 +174,8 @@ void describe(V& v, Wall& wall) {
            Named<Block>{"box", "a solid box: layers grow inwards from its faces"},
            Named<Polyline>{"polyline", "a line of straight pieces (2D): layers grow to one side", 2},
            Named<Round>{"disc", "a disc, solid or hollow (2D)", 2},
-           Named<Round>{"ball", "a ball, solid or hollow (3D)", 3});
+           Named<Round>{"ball", "a ball, solid or hollow (3D)", 3},
+           Named<PolygonWall>{"polygon", "a simple polygon, solid or hollow (2D)", 2});
   v.not_built("plane", EmptyForm::none, "a wall without particles");
 }
 

@@ -120,6 +120,11 @@ bool segments_cross(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) 
          (b_side == 0 && within(c, d, b));
 }
 
+Polyline outline_of(const PolygonWall& polygon) {
+  const bool counterclockwise = signed_area(polygon.points) > 0;  // then the inside is on the left
+  return {polygon.points, true, counterclockwise == (polygon.solid == Face::inside) ? Flank::left : Flank::right};
+}
+
 bool inside(const Shape& shape, const Vec3& point, int dimension) {
   return std::visit([&](const auto& each) { return inside_of(each, point, dimension); }, shape);
 }

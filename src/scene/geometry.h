@@ -17,6 +17,9 @@ Vec3 centroid(const std::vector<Vec3>& polygon);       // of its area
 double distance_to_segment(const Vec3& point, const Vec3& a, const Vec3& b);
 bool segments_cross(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);  // touching counts
 
+// The outline as a closed line with its layers on the solid side.
+Polyline outline_of(const PolygonWall& polygon);
+
 bool inside(const Shape& shape, const Vec3& point, int dimension);
 Vec3 shape_center(const Shape& shape);
 double measure(const Shape& shape, int dimension);  // m^2 or m^3

@@ -35,6 +35,7 @@ double content(const Block& block, int dimension, double thick) {
   return box_content(block.max - block.min, dimension) - box_content(block.max - block.min - 2 * thick, dimension);
 }
 double content(const Polyline& line, int, double thick) { return length_of(line) * thick; }
+double content(const PolygonWall& polygon, int, double thick) { return length_of(outline_of(polygon)) * thick; }
 double content(const Round& round, int dimension, double thick) {
   const double inner = round.solid == Face::inside ? std::max(round.radius - thick, 0.0) : round.radius;
   const double outer = round.solid == Face::inside ? round.radius : round.radius + thick;

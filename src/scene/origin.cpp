@@ -21,6 +21,7 @@ class Mover {
   void operator()(Block& block) const { corners(block); }
   void operator()(Polyline& line) const { points(line.points); }
   void operator()(Round& round) const { round.center -= origin_; }
+  void operator()(PolygonWall& polygon) const { points(polygon.points); }
   void operator()(Bounds& box) const { corners(box); }
   void operator()(AutoView&) const {}
   void operator()(View2D& view) const { view.center -= origin_; }

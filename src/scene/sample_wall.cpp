@@ -144,6 +144,9 @@ std::vector<Vec3> solid(const Cuboid& cuboid, int dimension, double dx, int laye
   return points;
 }
 std::vector<Vec3> solid(const Polyline& line, int, double dx, int layers) { return sample_polyline(line, dx, layers); }
+std::vector<Vec3> solid(const PolygonWall& polygon, int, double dx, int layers) {
+  return sample_polyline(outline_of(polygon), dx, layers);
+}
 std::vector<Vec3> solid(const Round& round, int dimension, double dx, int layers) {
   std::vector<Vec3> points;
   const double sense = round.solid == Face::inside ? -1 : 1;

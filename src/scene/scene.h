@@ -104,7 +104,11 @@ struct Round {  // a disc in 2D, a ball in 3D
   double radius = 0;
   Face solid = Face::inside;  // inside: an obstacle; outside: a container
 };
-using WallShape = std::variant<Tank, Block, Polyline, Round>;
+struct PolygonWall {  // 2D only; simple, in either sense of rotation
+  std::vector<Vec3> points;
+  Face solid = Face::inside;  // as of Round
+};
+using WallShape = std::variant<Tank, Block, Polyline, Round, PolygonWall>;
 
 struct Wall {
   WallShape shape;

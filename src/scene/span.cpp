@@ -10,6 +10,7 @@ Bounds span_of(const Tank& tank, int) { return {tank.min, tank.max}; }
 Bounds span_of(const Block& block, int) { return {block.min, block.max}; }
 Bounds span_of(const Polyline& line, int dimension) { return shape_bounds(Polygon{line.points}, dimension); }
 Bounds span_of(const Round& round, int dimension) { return shape_bounds(Ball{round.center, round.radius}, dimension); }
+Bounds span_of(const PolygonWall& polygon, int dimension) { return shape_bounds(Polygon{polygon.points}, dimension); }
 
 }  // namespace
 

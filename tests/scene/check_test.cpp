@@ -128,6 +128,8 @@ TEST(Check, RefusesFluidOutsideClosedWalls) {
   EXPECT_THAT(walls(Polyline{square, true, Flank::right}), ElementsAre(all_outside));
   EXPECT_THAT(walls(Polyline{square, true, Flank::left}), IsEmpty());  // an obstacle beside it
   EXPECT_THAT(walls(Polyline{square, false, Flank::right}), IsEmpty());
+  EXPECT_THAT(walls(PolygonWall{square, Face::outside}), ElementsAre(all_outside));
+  EXPECT_THAT(walls(PolygonWall{square, Face::inside}), IsEmpty());
   EXPECT_THAT(walls(Round{{3, 0.5, 0}, 1, Face::outside}), ElementsAre(all_outside));
   EXPECT_THAT(walls(Round{{0.5, 0.5, 0}, 1, Face::outside}), IsEmpty());
   // An outline with a hole is not closed.
@@ -141,6 +143,11 @@ TEST(Check, RefusesFluidInWalls) {
   EXPECT_THAT(walls(Block{{-1, -1, 0}, {2, 2, 0}}), ElementsAre("fluid.volumes.0.box reaches into walls.0.box"));
   EXPECT_THAT(walls(Round{{0.5, 0.5, 0}, 2, Face::inside}),
               ElementsAre("fluid.volumes.0.box reaches into walls.0.disc"));
+  EXPECT_THAT(walls(PolygonWall{{{-9, -1, 0}, {9, -1, 0}, {0, 20, 0}}, Face::inside}),  // its layers are far away
+              ElementsAre("fluid.volumes.0.box reaches into walls.0.polygon"));
+  EXPECT_THAT(walls(PolygonWall{{{0.5, -1, 0}, {3, 3, 0}, {-1, 3, 0}}, Face::outside}),
+              ElementsAre("fluid.volumes.0.box reaches into walls.0.polygon",
+                          HasSubstr("fluid.volumes.0.box lies outside the closed walls")));
   EXPECT_THAT(walls(Polyline{{{0.5, -1, 0}, {0.5, 2, 0}}, false, Flank::left}),
               ElementsAre("fluid.volumes.0.box reaches into walls.0.polyline"));
   // A box that is no multiple of the spacing, in a tank of its size, is rounded but not in the wall.
@@ -176,10 +183,36 @@ TEST(Check, RefusesDegenerateShapes) {
               ElementsAre("walls.0.polyline.points.1 repeats the point before it"));
   EXPECT_THAT(said_of_walls({{Polyline{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1e-200, 0}}, true, Flank::right}, 1, {}}}),
               ElementsAre("walls.0.polyline.points.3 repeats the first point"));
+  const auto polygon = [](const std::vector<Vec3>& points) {
+    return said_of_walls({{PolygonWall{points, Face::inside}, 1, {}}});
+  };
+  EXPECT_THAT(polygon({{3, 0, 0}, {4, 1, 0}, {4, 0, 0}, {3, 1, 0}}),
+              ElementsAre("walls.0.polygon.points makes edges that cross: those from points 0 and 2"));
+  EXPECT_THAT(polygon({{3, 0, 0}, {4, 1, 0}, {5, 2, 0}}),
+              ElementsAre("walls.0.polygon.points lie on one line and enclose nothing"));
+  EXPECT_THAT(polygon({{3, 0, 0}, {4, 1, 0}}), ElementsAre("walls.0.polygon.points needs at least 3, got 2"));
+  EXPECT_THAT(polygon({{3, 0, 0}, {4, 1, 0}, {3, 0, 0}}),
+              ElementsAre("walls.0.polygon.points needs at least 3 points to close"));
+  EXPECT_THAT(polygon({{3, 0, 0}, {4, 1, 0}, {4, 1, 0}, {3, 1, 0}}),
+              ElementsAre("walls.0.polygon.points.2 repeats the point before it"));
+  EXPECT_THAT(polygon({{3, 0, 0}, {4, 1, 0}, {3, 1, 0}, {3, 1e-12, 0}}),
+              ElementsAre("walls.0.polygon.points.3 repeats the first point"));
+  EXPECT_THAT(polygon({{3, 0, 0}, {4, 1, 0}, {3, 1, 0}, {3, 0, 0}}), IsEmpty());  // a ring in full
   EXPECT_THAT(said_of_walls({{Tank{{0, 0, 0}, {1, 1, 0}, {Side::back}}, 1, {}}}),
               ElementsAre("walls.0.tank.open names front or back; a 2D tank has left, right, bottom and top"));
   EXPECT_THAT(said_of_walls({{Tank{{0, 0, 0}, {1, 1, 0}, {}}, 1, {Box{{1, 1, 0}, {0, 2, 0}}}}}),
               ElementsAre("walls.0.tank.holes.0.box.max must lie above min along x: min is 1, max is 0"));
+}
+
+TEST(Check, RefusesWallsThatMakeNoParticle) {
+  const auto refused = [](const std::string& key) {
+    return ElementsAre("walls.0." + key +
+                       " makes no particle at a spacing of 0.1 m: make it thicker, or the spacing smaller");
+  };
+  EXPECT_THAT(said_of_walls({{PolygonWall{{{3, 0, 0}, {5, 0, 0}, {5, 0.09, 0}}, Face::inside}, 2, {}}}),
+              refused("polygon"));
+  EXPECT_THAT(said_of_walls({{Round{{3, 0, 0}, 0.04, Face::inside}, 2, {}}}), refused("disc"));
+  EXPECT_THAT(said_of_walls({{Block{{3, 0, 0}, {4, 0.01, 0}}, 2, {}}}), IsEmpty());
 }
 
 TEST(Check, RefusesMoreParticlesThanFit) {

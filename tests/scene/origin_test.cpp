@@ -26,7 +26,8 @@ Scene scene_at(const Vec3& at, double unit) {
   scene.walls = {{Tank{point(-8, -4), point(56, 40), {Side::top}}, 2, {Box{point(-10, 20), point(-8, 24)}}},
                  {Block{point(32, 24), point(40, 28)}, 0, {}},
                  {Polyline{{point(0, 24), point(8, 20.5), point(16, 24)}, false, Flank::left}, 2, {}},
-                 {Round{point(24, 24), 4 * unit, Face::inside}, 2, {}}};
+                 {Round{point(24, 24), 4 * unit, Face::inside}, 2, {}},
+                 {PolygonWall{{point(44, 24), point(52, 24), point(50, 32)}, Face::inside}, 2, {}}};
   scene.camera.view = View2D{point(24, 16), 64 * unit};
   scene.camera.keyframes = {{0, View2D{point(24, 16), 64 * unit}}};
   return scene;

@@ -32,6 +32,9 @@ bool holds(const Wall& wall, const Vec3& point, int dimension, bool solid) {
   if (const auto* round = std::get_if<Round>(&wall.shape)) {
     return solid == (round->solid == Face::inside) && inside(Ball{round->center, round->radius}, point, dimension);
   }
+  if (const auto* polygon = std::get_if<PolygonWall>(&wall.shape)) {
+    return solid == (polygon->solid == Face::inside) && inside(Polygon{polygon->points}, point, dimension);
+  }
   const auto& line = std::get<Polyline>(wall.shape);
   const bool solid_inside = (signed_area(line.points) > 0) == (line.solid == Flank::left);
   return line.closed && solid == solid_inside && inside(Polygon{line.points}, point, dimension);
@@ -41,6 +44,7 @@ bool closed_container(const Wall& wall) {
   if (!wall.holes.empty()) return false;
   if (const auto* tank = std::get_if<Tank>(&wall.shape)) return tank->open.empty();
   if (const auto* round = std::get_if<Round>(&wall.shape)) return round->solid == Face::outside;
+  if (const auto* polygon = std::get_if<PolygonWall>(&wall.shape)) return polygon->solid == Face::outside;
   const auto* line = std::get_if<Polyline>(&wall.shape);
   return line != nullptr && line->closed && (signed_area(line->points) > 0) != (line->solid == Flank::left);
 }
@@ -166,7 +170,7 @@ Shape shape(Dice& dice, int dimension) {
 }
 
 WallShape wall_shape(Dice& dice, int dimension) {
-  switch (dice.below(dimension == 2 ? 5 : 4)) {
+  switch (dice.below(dimension == 2 ? 6 : 4)) {
     case 0: {
       const Box inner = box(dice, dimension, 0.2, 1.5);
       return Tank{inner.min, inner.max, dice.one_in(2) ? std::vector<Side>{Side::top} : std::vector<Side>{}};
@@ -181,6 +185,9 @@ WallShape wall_shape(Dice& dice, int dimension) {
     }
     case 3:
       return Round{dice.point(dimension, -1, 1), dice.between(0.1, 2), dice.one_in(2) ? Face::inside : Face::outside};
+    case 4:
+      return PolygonWall{star(dice, dice.point(dimension, -1, 1), dice.between(0.5, 2)),
+                         dice.one_in(2) ? Face::inside : Face::outside};
     default:
       return Polyline{star(dice, dice.point(dimension, -1, 1), dice.between(0.5, 2)), dice.one_in(2),
                       dice.one_in(2) ? Flank::left : Flank::right};

@@ -100,6 +100,7 @@ fluid:
 walls:
   - tank: {min: [0, 0], max: [3, 2], open: [top], layers: 2}
   - polyline: {points: [[1, 0.5], [2, 0.5]], solid: left, holes: [{disc: {center: [1.5, 0.5], radius: 0.1}}]}
+  - polygon: {points: [[2.4, 0.4], [2.8, 0.4], [2.6, 0.8], [2.4, 0.4]], solid: inside, layers: 3}
 periodic: []
 bodies: []
 solver:
@@ -135,6 +136,8 @@ output: {movie: {quality: 10}, frames: true, stills: [0, 0.5], log: {every: 0.1}
   EXPECT_EQ(scene.walls.at(0).layers, 2);
   EXPECT_EQ(std::get<Polyline>(scene.walls.at(1).shape).solid, Flank::left);
   EXPECT_EQ(std::get<Ball>(scene.walls.at(1).holes.at(0)).radius, 0.1);
+  EXPECT_EQ(std::get<PolygonWall>(scene.walls.at(2).shape).points.at(1), Vec3(2.8, 0.4, 0));
+  EXPECT_EQ(std::get<PolygonWall>(scene.walls.at(2).shape).solid, Face::inside);
   EXPECT_EQ(scene.solver.kernel.smoothing, 1.5);
   EXPECT_EQ(std::get<SoundSpeed>(scene.solver.compressibility).c0, 30);
   EXPECT_EQ(scene.solver.exponent, 1);
@@ -177,7 +180,7 @@ TEST(Reader, NamesMissingKeysAtTheMapThatLacksThem) {
               ElementsAre("s.yaml:1:1: missing key 'weir'; a scene begins with 'weir: 1'",
                           "s.yaml:4:1: missing key 'fluid.volumes'"));
   EXPECT_THAT(with_line("walls: [{}]"),
-              ElementsAre("s.yaml:6:9: walls.0 needs one of the keys tank, box, polyline, disc"));
+              ElementsAre("s.yaml:6:9: walls.0 needs one of the keys tank, box, polyline, disc, polygon"));
 }
 
 TEST(Reader, RefusesWrongTypes) {
@@ -314,7 +317,7 @@ TEST(Reader, RefusesReservedKeysByName) {
       ElementsAre("s.yaml:6:1: domain without periodic axes is not built yet; name axes in `periodic`, or leave "
                   "it out"));
   EXPECT_THAT(with_line("walls: [{plane: {}}]"),
-              ElementsAre("s.yaml:6:9: walls.0 needs one of the keys tank, box, polyline, disc",
+              ElementsAre("s.yaml:6:9: walls.0 needs one of the keys tank, box, polyline, disc, polygon",
                           "s.yaml:6:10: walls.0.plane is not built yet (a wall without particles); leave it out"));
   EXPECT_THAT(with_line("solver: {method: iisph}"),
               ElementsAre("s.yaml:6:10: solver.method 'iisph' is not built yet; choose from wcsph, delta_sph"));

@@ -197,6 +197,58 @@ TEST(Sampling, GivesAClosedLineTheLayersOfATank) {
             sorted(sample_wall({Block{{0, 0, 0}, {1.2, 0.5, 0}}, 2, {}}, 2, dx, 2)));
 }
 
+TEST(Sampling, GivesAPolygonTheLayersOfATankOrABlock) {
+  const std::vector<Vec3> square{{0, 0, 0}, {1.2, 0, 0}, {1.2, 0.5, 0}, {0, 0.5, 0}};
+  const std::vector<Vec3> reversed(square.rbegin(), square.rend());
+  std::vector<Vec3> ring = square;
+  ring.push_back(square.front());
+  const std::vector<Vec3> tank = sorted(sample_wall({Tank{{0, 0, 0}, {1.2, 0.5, 0}, {}}, 3, {}}, 2, dx, 3));
+  const std::vector<Vec3> block = sorted(sample_wall({Block{{0, 0, 0}, {1.2, 0.5, 0}}, 2, {}}, 2, dx, 2));
+  for (const std::vector<Vec3>& points : {square, reversed, ring}) {
+    EXPECT_EQ(sorted(sample_wall({PolygonWall{points, Face::outside}, 3, {}}, 2, dx, 3)), tank);
+    EXPECT_EQ(sorted(sample_wall({PolygonWall{points, Face::inside}, 2, {}}, 2, dx, 2)), block);
+  }
+}
+
+TEST(Sampling, FillsAPolygonThinnerThanItsLayersOnce) {
+  for (const double width : {0.1, 0.2, 0.3, 0.4, 0.5}) {
+    const std::vector<Vec3> points{{0, 0, 0}, {width, 0, 0}, {width, 1, 0}, {0, 1, 0}};
+    const std::vector<Vec3> all = sample_wall({PolygonWall{points, Face::inside}, 8, {}}, 2, dx, 8);
+    EXPECT_EQ(all.size(), static_cast<std::size_t>(std::llround(width / dx)) * 10) << width;
+    EXPECT_GE(least_distance(all), 1 - 1e-9) << width;
+  }
+  for (double width = 0.1; width < 0.6; width += 0.01) {
+    const std::vector<Vec3> points{{0, 0, 0}, {2, 0, 0}, {2, width, 0}, {0, width, 0}};
+    const std::vector<Vec3> all = sample_wall({PolygonWall{points, Face::inside}, 8, {}}, 2, dx, 8);
+    EXPECT_GE(least_distance(all), wall_merge_distance) << width;
+    for (const Vec3& point : all) EXPECT_TRUE(inside_polygon(points, point)) << width;
+  }
+  EXPECT_TRUE(sample_wall({PolygonWall{{{0, 0, 0}, {2, 0, 0}, {2, 0.09, 0}}, Face::inside}, 8, {}}, 2, dx, 8).empty());
+}
+
+// All particles lie half a spacing or more behind the outline, on its solid side, and no gap opens along it.
+TEST(Sampling, FollowsAPolygonWithCornersOfBothSenses) {
+  const std::vector<Vec3> arrow{{0, 0, 0}, {2, 0.4, 0}, {3, 2.5, 0}, {1.4, 1.5, 0}, {-0.5, 2, 0}};
+  for (const Face solid : {Face::inside, Face::outside}) {
+    const std::vector<Vec3> points = sample_wall({PolygonWall{arrow, solid}, 3, {}}, 2, dx, 3);
+    EXPECT_GE(least_distance(points), wall_merge_distance);
+    for (const Vec3& point : points) {
+      EXPECT_EQ(inside_polygon(arrow, point), solid == Face::inside);
+      double distance = 1e9;
+      for (std::size_t i = 0; i < arrow.size(); ++i) {
+        distance = std::min(distance, distance_to_segment(point, arrow[i], arrow[(i + 1) % arrow.size()]));
+      }
+      EXPECT_GE(distance, 0.5 * dx - 1e-6);
+    }
+    for (std::size_t i = 0; i < arrow.size(); ++i) {
+      for (int k = 20; k <= 80; ++k) {  // within a sharp corner no particle fits
+        const Vec3 on_edge = arrow[i] + 0.01 * k * (arrow[(i + 1) % arrow.size()] - arrow[i]);
+        EXPECT_LE(distance_to_nearest(points, on_edge), std::hypot(0.75, 0.5) * dx) << i << " at " << k;
+      }
+    }
+  }
+}
+
 TEST(Sampling, FollowsCornersOfAnyAngleWithoutGapsOrCrowding) {
   for (int degrees = -170; degrees <= 170; degrees += 10) {
     const double turn = degrees * std::numbers::pi / 180;

@@ -38,6 +38,7 @@ walls:
   - box: {min: [10, 0], max: [11, 1], layers: 2, holes: [{disc: {center: [10, 0], radius: 0.2}}]}
   - polyline: {points: [[12, 0], [13, 0], [13, 1]], closed: true, solid: left, layers: 1, holes: [{polygon: {points: [[12, 0], [12.2, 0], [12.2, 0.1]]}}]}
   - disc: {center: [15, 1], radius: 0.6, solid: inside, layers: 3, holes: []}
+  - polygon: {points: [[15, 3], [16, 3], [15, 4]], solid: inside, layers: 3, holes: []}
 solver:
   method: wcsph
   kernel: {name: wendland_c2, smoothing: 1.3}
@@ -68,6 +69,7 @@ walls:
   - box: {min: [0, 1.5], max: [1, 2.5], motion: {slide: [1, 0]}}
   - polyline: {points: [[1.5, 2], [2, 2], [2, 2.5]], motion: {slide: [1, 0]}}
   - disc: {center: [2, 1], radius: 0.5, motion: {slide: [1, 0]}}
+  - polygon: {points: [[1.5, -1], [2.5, -1], [2.5, 0], [1.5, 0]], motion: {slide: [1, 0]}}
 periodic: [x]
 domain: {min: [-1, -1], max: [3, 3]}
 solver: {method: delta_sph, density_diffusion: 0.2, wall_pressure: extrapolated}
