@@ -29,12 +29,12 @@ double depth(const Block& block, int dimension, const Vec3& point) {
   return std::max(nearest, 0.0);
 }
 
-double depth(const Polyline& line, int /*dimension*/, const Vec3& point) {
+double distance_to_line(const std::vector<Vec3>& points, bool closed, const Vec3& point) {
   double nearest = std::numeric_limits<double>::infinity();
-  const std::size_t n = line.points.size();
-  for (std::size_t k = 0; k + (line.closed ? 0 : 1) < n; ++k) {
-    const Vec3& from = line.points[k];
-    const Vec3 along = line.points[(k + 1) % n] - from;
+  const std::size_t n = points.size();
+  for (std::size_t k = 0; k + (closed ? 0 : 1) < n; ++k) {
+    const Vec3& from = points[k];
+    const Vec3 along = points[(k + 1) % n] - from;
     const double length_squared = glm::dot(along, along);
     const double share = length_squared > 0 ? std::clamp(glm::dot(point - from, along) / length_squared, 0.0, 1.0) : 0;
     nearest = std::min(nearest, glm::length(point - from - share * along));
@@ -42,8 +42,12 @@ double depth(const Polyline& line, int /*dimension*/, const Vec3& point) {
   return nearest;
 }
 
-double depth(const PolygonWall& polygon, int dimension, const Vec3& point) {
-  return depth(Polyline{.points = polygon.points, .closed = true}, dimension, point);
+double depth(const Polyline& line, int /*dimension*/, const Vec3& point) {
+  return distance_to_line(line.points, line.closed, point);
+}
+
+double depth(const PolygonWall& polygon, int /*dimension*/, const Vec3& point) {
+  return distance_to_line(polygon.points, true, point);
 }
 
 double depth(const Round& round, int /*dimension*/, const Vec3& point) {

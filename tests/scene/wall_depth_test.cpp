@@ -30,6 +30,14 @@ TEST(WallDepth, OfALineIsTheDistanceToItsNearestPiece) {
   EXPECT_DOUBLE_EQ(wall_depth(closed, 2, Vec3(0, 1, 0)), std::sqrt(0.5));
 }
 
+TEST(WallDepth, OfAPolygonIsTheDistanceToItsNearestEdge) {
+  const std::vector<Vec3> triangle{Vec3(0), Vec3(1, 0, 0), Vec3(1, 1, 0)};
+  for (const Face solid : {Face::inside, Face::outside}) {
+    EXPECT_DOUBLE_EQ(wall_depth(PolygonWall{triangle, solid}, 2, Vec3(0.75, 0.125, 0)), 0.125);
+    EXPECT_DOUBLE_EQ(wall_depth(PolygonWall{triangle, solid}, 2, Vec3(0, 1, 0)), std::sqrt(0.5));
+  }
+}
+
 TEST(WallDepth, OfADiscIsTheDistanceFromItsRim) {
   EXPECT_DOUBLE_EQ(wall_depth(Round{Vec3(1, 0, 0), 0.5}, 2, Vec3(1.2, 0, 0)), 0.3);
   EXPECT_DOUBLE_EQ(wall_depth(Round{Vec3(1, 0, 0), 0.5, Face::outside}, 2, Vec3(1.7, 0, 0)), 0.2);
