@@ -36,7 +36,7 @@ class SphSolver {
 
   // One time step, which divides the way to the next landing (s) evenly.
   virtual StepReport advance(double way) = 0;
-  // Neighbours and recomputed fields of the current state; at most once a step, whoever asks first. Throws std::range_error
+  // Neighbours and recomputed fields of the current state; at most once a step, at the first call. Throws std::range_error
   // for particles that have flown too far.
   void refresh();
   virtual void recompute() = 0;  // the fields alone, with the neighbours of the last refresh()

@@ -217,7 +217,7 @@ TEST(Discs, FollowTheKeyframes) {
   still.scene.camera.keyframes = {{0, View2D{Vec3(0.5, 0.5, 0), 1}}, {1, View2D{Vec3(1, 0.5, 0), 4}}};
   const auto renderer = make_renderer(still.scene, still.static_scene, device_choice(""));
   Image image;
-  for (const double time : {0.0, 0.6, 5.0}) {  // walls have to be drawn anew each time
+  for (const double time : {0.0, 0.6, 5.0}) {  // walls are drawn again each time
     still.frame.time = time;
     renderer->draw(still.frame, image);
     EXPECT_EQ(difference(image, drawn(still)).pixels, 0);

@@ -1,5 +1,5 @@
 // Golden state hashes, one per case and instruction set: a change of the solver's structure must not change a bit of its
-// results. Where a change means to, WEIR_BLESS=1 writes the file anew, and the CHANGELOG says which results changed and why.
+// results. Where a change means to, WEIR_BLESS=1 rewrites the file, and the CHANGELOG says which results changed and why.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
