@@ -6,6 +6,7 @@
 
 #include "core/trace.h"
 #include "equations/state.h"
+#include "equations/vorticity.h"
 
 namespace weir {
 
@@ -120,6 +121,17 @@ std::optional<double> SphSolver<Dim>::diffusivity() const {
       break;
   }
   return parameters_.viscosity;
+}
+
+template <int Dim>
+const Field& SphSolver<Dim>::vorticity() {
+  if (vorticity_ == nullptr) {
+    vorticity_ = &fluid_.add("vorticity", "1/s", rotation_components<Dim>, Keeping::recomputed);
+    for (auto& component : vorticity_->values) component.resize(fluid_.slots() + group_size);
+  }
+  refresh();
+  stages_.compute_vorticity(engine_, fluid_, *vorticity_);
+  return *vorticity_;
 }
 
 template <int Dim>

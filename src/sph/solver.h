@@ -45,6 +45,9 @@ class SphSolver {
   // Moves the particles by dt (s) with these accelerations.
   virtual std::optional<Runaway> move(double dt) = 0;
 
+  // curl v of a fresh state; its field exists from the first call on. Nothing of a step reads it.
+  const Field& vorticity();
+
   void set(const Parameters& parameters);
   void reset(const Sampling& sampling);  // back to the start
 
@@ -95,6 +98,7 @@ class SphSolver {
   std::optional<double> diffusivity() const;  // of velocity, m^2/s; bounds the step
 
   bool fresh_ = false;
+  Field* vorticity_ = nullptr;
 };
 
 template <int Dim>

@@ -1,6 +1,7 @@
 #include "sph/stages.h"
 
 #include "sph/passes/continuity.h"
+#include "sph/passes/vorticity.h"
 #include "sph/passes/wall_state.h"
 
 namespace weir {
@@ -192,6 +193,21 @@ PairStage<Dim> Stages<Dim>::continuity_from_walls() const {
         Pass{.kernel = kernel_at<Kernel, Dim>(constants_.h), .velocity = vector_input<Dim>(fields_.velocity)}, walls_,
         true);
   });
+}
+
+template <int Dim>
+void Stages<Dim>::compute_vorticity(Engine<Dim>& engine, ParticleSet<Dim>& fluid, Field& vorticity) const {
+  SummedVorticity<Dim> update{.factor = kernel_slope_factor(-constants_.mass)};
+  for (int c = 0; c < update.components; ++c) update.vorticity[c] = vorticity.data(c);
+  const PairStage<Dim> stage = with_kernel(constants_.kernel, [&]<template <int> class Kernel>() {
+    using Pass = VorticityPass<Dim, Kernel>;
+    return PairStage<Dim>::template of<Within<Pass>>(constants_.instruction_set,
+                                                     Pass{.kernel = kernel_at<Kernel, Dim>(constants_.h),
+                                                          .velocity = vector_input<Dim>(fields_.velocity),
+                                                          .density = fields_.density.data()},
+                                                     fluid_, true);
+  });
+  engine.sweep(fluid, {stage}, update);
 }
 
 template <int Dim>

@@ -83,6 +83,8 @@ class Stages {
                                        const Parameters& parameters) const;
   PairStage<Dim> continuity_from_walls() const;
 
+  // curl v of a fresh state.
+  void compute_vorticity(Engine<Dim>& engine, ParticleSet<Dim>& fluid, Field& vorticity) const;
   // The state of walls from the fluid around them; nothing where walls mirror.
   void extrapolate_walls(Engine<Dim>& engine, ParticleSet<Dim>& walls, const Parameters& parameters) const;
   SummedDensity summed_density(const Parameters& parameters) const;

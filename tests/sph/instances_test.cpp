@@ -11,6 +11,7 @@
 #include "sph/passes/density.h"
 #include "sph/passes/momentum.h"
 #include "sph/passes/motion.h"
+#include "sph/passes/vorticity.h"
 #include "sph/passes/wall_state.h"
 
 namespace weir {

@@ -273,6 +273,50 @@ TYPED_TEST(MethodsIn, EveryPairRuns) {
   }
 }
 
+// curl v = sum V_j v_ij x grad W_ij over all pairs in double; looking at it changes nothing.
+TYPED_TEST(MethodsIn, VorticityEqualsABruteForceAndIsNotPartOfTheState) {
+  constexpr int dim = TypeParam::value;
+  ThreadPool pool(2);
+  for_each_case<dim>(WallPressure::extrapolated, [&](const Scene& scene, const Sampling& sampling, InstructionSet set) {
+    const auto solver = make_solver<dim>(scene, sampling, pool, set);
+    const auto unseen = make_solver<dim>(scene, sampling, pool, set);
+    for (const auto& each : {solver.get(), unseen.get()}) {
+      accelerate(*each);
+      ASSERT_FALSE(each->move(1e-4));
+    }
+    const Field& field = solver->vorticity();
+    const State<dim> state(*solver);
+    const BruteForce<dim> exact{scene, state};
+    std::vector<Vec<3, double>> curl(state.size());
+    double largest = 0;
+    for (std::size_t i = 0; i < curl.size(); ++i) {
+      exact.for_each_other(state.position[i], state.position, i, [&](std::size_t j, const Vec<dim, double>& x_ij) {
+        Vec<3, double> v{}, w{};
+        for (int d = 0; d < dim; ++d) {
+          v[d] = state.velocity[i][d] - state.velocity[j][d];
+          w[d] = exact.m / state.density[j] * exact.grad_w(x_ij)[d];
+        }
+        curl[i] += Vec<3, double>{v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]};
+      });
+      largest = std::max(largest, std::sqrt(dot(curl[i], curl[i])));
+    }
+    ASSERT_GT(largest, 1);
+    for (std::size_t slot = 0; slot < solver->fluid().slots(); ++slot) {
+      if (solver->fluid().empty(slot)) continue;
+      const auto i = static_cast<std::size_t>(solver->fluid().id[slot]);
+      for (int c = 0; c < field.components; ++c) {
+        ASSERT_NEAR(field.at(slot, c), curl[i][dim == 2 ? 2 : c], acceleration_tolerance * largest);
+      }
+    }
+    accelerate(*solver);
+    accelerate(*unseen);
+    const State<dim> seen(*solver), other(*unseen);
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      for (int d = 0; d < dim; ++d) ASSERT_EQ(seen.acceleration[i][d], other.acceleration[i][d]);
+    }
+  });
+}
+
 // The diffusion and the continuity equation exchange density and take none: without walls the sum of compressions follows
 // the divergence alone, and of a fluid at rest it stays, to rounding.
 TYPED_TEST(MethodsIn, DiffusionConservesMass) {
