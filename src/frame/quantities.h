@@ -12,7 +12,7 @@
 
 namespace weir {
 
-enum class Quantity { speed, density, pressure, velocity, id, volume };
+enum class Quantity { speed, density, pressure, velocity, id, volume, vorticity };
 
 enum class Components { one, per_axis };
 enum class NumberKind { real, integer };
@@ -26,6 +26,7 @@ enum class RangeEstimate {
   speed,            // 0 to the largest speed
   pressure,         // 0 to the pressure that belongs to this speed
   density,          // rest density, plus and minus the compression by this pressure
+  vorticity,        // a shear by the largest speed over eight spacings, in 2D of either sense
   particle_number,  // all particles of the fluid
   volume_number,    // all volumes of the fluid
 };
@@ -51,6 +52,7 @@ inline constexpr auto quantities = std::to_array<QuantityFacts>({
     {Quantity::velocity, "velocity", "m/s",    "Velocity", Components::per_axis, NumberKind::real,    Stale::never,      RangeEstimate::none},
     {Quantity::id,       "id",       "",       "Particle", Components::one,      NumberKind::integer, Stale::never,      RangeEstimate::particle_number},
     {Quantity::volume,   "volume",   "",       "Volume",   Components::one,      NumberKind::integer, Stale::never,      RangeEstimate::volume_number},
+    {Quantity::vorticity, "vorticity", "1/s",  "Vorticity", Components::one,     NumberKind::real,    Stale::after_step, RangeEstimate::vorticity},
 });
 // clang-format on
 

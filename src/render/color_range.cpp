@@ -40,6 +40,10 @@ std::array<double, 2> color_range(const Scene& scene, const StaticScene& static_
       const double change = round_up_nicely(scene.fluid.rest_density * strain);
       return {scene.fluid.rest_density - change, scene.fluid.rest_density + change};
     }
+    case RangeEstimate::vorticity: {
+      const double most = round_up_nicely(speed / (8 * scene.particle_spacing));
+      return {scene.dimension == 2 ? -most : 0, most};
+    }
     case RangeEstimate::particle_number:
       return numbers(count_fluid(scene));
     case RangeEstimate::volume_number:

@@ -67,7 +67,7 @@ void fill_positions(const Positions<Dim>& positions, const TileLattice<Dim>& lat
 // The solver's values that fields are computed from.
 template <int Dim>
 struct FieldSources {
-  const SphSolver<Dim>& solver;
+  SphSolver<Dim>& solver;
   std::span<const std::int32_t> volume_ends;  // of each fluid volume, one more than its last particle's id
 };
 
@@ -102,6 +102,14 @@ void fill_field(const FieldSources<Dim>& from, const OccupiedSlots<Dim>& occupie
       return occupied.for_each([&](std::size_t particle, std::size_t slot) {
         const Vec<Dim> v = from.solver.fluid().vector_at(from.solver.velocity(), slot);
         for (int d = 0; d < Dim; ++d) values[Dim * particle + static_cast<std::size_t>(d)] = v[d];
+      });
+    }
+    case Quantity::vorticity: {  // along z in 2D, its size in 3D
+      const Field& curl = from.solver.vorticity();
+      return reals([&](std::size_t slot) {
+        if constexpr (Dim == 2) return curl.at(slot);
+        const Vec<Dim> w = from.solver.fluid().vector_at(curl, slot);
+        return std::sqrt(dot(w, w));
       });
     }
     case Quantity::id:

@@ -27,7 +27,7 @@ TEST(Reader, KnowsEveryQuantityThatColours) {
     } else {
       EXPECT_THAT(mistakes_in(text),
                   ElementsAre(fmt::format("s.yaml:6:18: render.color.by expects one of speed, density, "
-                                          "pressure, id, volume, got '{}'",
+                                          "pressure, id, volume, vorticity, got '{}'",
                                           facts.name)));
     }
   }
@@ -299,7 +299,7 @@ TEST(Reader, KnowsTheFormsOfParticleFiles) {
                           "s.yaml:6:45: output.particles.fields holds 'id' twice"));
   EXPECT_THAT(with_line("output: {particles: {every: 1e-12, fields: [colour]}}"),
               ElementsAre("s.yaml:6:45: output.particles.fields.0 expects one of speed, density, pressure, velocity, "
-                          "id, volume, got 'colour'"));
+                          "id, volume, vorticity, got 'colour'"));
   EXPECT_THAT(with_line("output: {particles: {every: 1e-12}}"),
               ElementsAre("s.yaml:6:22: output.particles.every makes 2e+12 files; a run has at most 1e+09"));
 }
