@@ -28,6 +28,7 @@ R twice_mean_density(const Pair<Dim, R>& pair) {
 
 struct Pressure {
   static constexpr bool action_is_reaction = true;
+  static constexpr bool reads_velocity = false;
 
   // -m_j (p_i/rho_i^2 + p_j/rho_j^2) grad W_ij, m/s^2. [Hinsch24 Alg. 1, fluid]
   template <int Dim, class R>
@@ -47,6 +48,7 @@ struct Pressure {
 // Consistent at any h/dx, 100.5 % of nu lap u on the lattice at h = dx; conserves linear momentum.
 struct MorrisViscosity {
   static constexpr bool action_is_reaction = true;
+  static constexpr bool reads_velocity = true;
   Real factor;     // -4 nu, m^2/s: the 2 of 2 nu, and that of twice the mean density
   Real softening;  // viscosity_softening h^2, m^2
 
@@ -76,6 +78,7 @@ Central<R> central_friction(const Pair<Dim, R>& pair, R factor, R rho, R softeni
 // Consistent from h = 2 dx on (96 % there, 66 % at h = dx); conserves linear and angular momentum.
 struct MonaghanViscosity {
   static constexpr bool action_is_reaction = true;
+  static constexpr bool reads_velocity = true;
   Real factor;     // -4 (Dim + 2) nu, m^2/s: the 2, and that of twice the mean density
   Real softening;  // viscosity_softening h^2, m^2
 
@@ -99,6 +102,7 @@ struct MonaghanViscosity {
 // 2 (Dim + 2) nu / (h c0).
 struct ArtificialViscosity {
   static constexpr bool action_is_reaction = true;
+  static constexpr bool reads_velocity = true;
   Real factor;     // -4 (Dim + 2) nu, m^2/s
   Real softening;  // viscosity_softening h^2, m^2
 
@@ -123,6 +127,7 @@ struct ArtificialViscosity {
 // As printed, with factor 2 where 2 (Dim + 2) is consistent: only 16 % of nu lap u at h = dx in 2D. For the paper's
 // pictures, not for accuracy.
 struct Hinsch2024Viscosity {
+  static constexpr bool reads_velocity = true;
   static constexpr bool action_is_reaction = false;  // rho_j alone
   Real factor;                                       // -2 nu, m^2/s
   Real softening;                                    // viscosity_softening h^2, m^2

@@ -85,7 +85,7 @@ template <int Dim>
 MomentumInput<Dim> Stages<Dim>::of_walls() const {
   MomentumInput<Dim> input{
       .velocity = {}, .density = wall_fields_.density->data(), .pressure_term = wall_fields_.pressure_term->data()};
-  // Without friction no term reads velocities of walls; what is loaded in vain is dropped by the compiler.
+  // Without friction no term reads velocities of walls, and there are none.
   if (wall_fields_.velocity != nullptr) input.velocity = vector_input<Dim>(*wall_fields_.velocity);
   return input;
 }

@@ -11,7 +11,7 @@
 
 namespace weir {
 
-// Of one set. Fields that no term reads may be null.
+// Of one set. Velocities may be null where no term reads them.
 template <int Dim>
 struct MomentumInput {
   VectorInput<Dim> velocity;
@@ -21,14 +21,16 @@ struct MomentumInput {
 
 template <int Dim, class R>
 struct MomentumState {
-  Vec<Dim, R> v;
+  Vec<Dim, R> v{};
   R rho;
   R pressure_term;
 };
 
-template <int Dim, class R, class Load>
+template <bool reads_velocity, int Dim, class R, class Load>
 MomentumState<Dim, R> read_state(const MomentumInput<Dim>& in, const Load& load) {
-  return {in.velocity.template read<R>(load), load(in.density), load(in.pressure_term)};
+  MomentumState<Dim, R> state{.rho = load(in.density), .pressure_term = load(in.pressure_term)};
+  if constexpr (reads_velocity) state.v = in.velocity.template read<R>(load);
+  return state;
 }
 
 // Several terms as one; no std::tuple, whose functions every instruction set would share.
@@ -60,11 +62,11 @@ struct MomentumPass {
   Real start(int) const { return 0; }
   template <class R, class Load>
   MomentumState<Dim, R> target(const Load& load) const {
-    return read_state<Dim, R>(of_target, load);
+    return read_state<(Terms::reads_velocity || ...), Dim, R>(of_target, load);
   }
   template <class R, class Load>
   MomentumState<Dim, R> source(const Load& load) const {
-    return read_state<Dim, R>(of_source, load);
+    return read_state<(Terms::reads_velocity || ...), Dim, R>(of_source, load);
   }
   template <class R>
   Vec<Dim, R> pair(const MomentumState<Dim, R>& i, const MomentumState<Dim, R>& j, const Vec<Dim, R>& x_ij,
@@ -96,7 +98,7 @@ struct MirroredMomentumPass {
   Real start(int) const { return 0; }
   template <class R, class Load>
   MomentumState<Dim, R> target(const Load& load) const {
-    return read_state<Dim, R>(of_target, load);
+    return read_state<(Terms::reads_velocity || ...), Dim, R>(of_target, load);
   }
   template <class R, class Load>
   Empty source(const Load&) const {
